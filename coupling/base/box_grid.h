@@ -43,9 +43,9 @@ inline IndexBox intersection(const IndexBox& a, const IndexBox& b) {
 }
 
 struct BoxGrid {
-  Vec3 lo = Vec3::Zero();                            // lower corner [m]
-  Vec3 hi = Vec3::Ones();                            // upper corner [m]
-  Int3 cells{1, 1, 1};                               // cells per direction
+  Vec3 lo = Vec3::Zero();                             // lower corner [m]
+  Vec3 hi = Vec3::Ones();                             // upper corner [m]
+  Int3 cells{1, 1, 1};                                // cells per direction
   std::array<bool, 3> periodic{false, false, false};  // per direction
 
   [[nodiscard]] Vec3 spacing() const {
@@ -53,7 +53,8 @@ struct BoxGrid {
   }
   [[nodiscard]] double cell_volume() const { return spacing().prod(); }
   [[nodiscard]] IndexBox all() const { return {{0, 0, 0}, cells}; }
-  // Index of the cell that holds coordinate x along one axis; outside of the grid the index goes on.
+  // Index of the cell that holds coordinate x along one axis; outside of the grid the index goes
+  // on.
   [[nodiscard]] int cell_of(double x, int axis) const {
     return static_cast<int>(std::floor((x - lo[axis]) * cells[axis] / (hi[axis] - lo[axis])));
   }

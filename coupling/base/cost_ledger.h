@@ -33,8 +33,8 @@ class Stopwatch {
   Stopwatch(CostLedger& ledger, std::size_t task)
       : ledger_(ledger), task_(task), start_(std::chrono::steady_clock::now()) {}
   ~Stopwatch() {
-    ledger_.charge(task_, std::chrono::duration<double>(std::chrono::steady_clock::now() - start_)
-                              .count());
+    ledger_.charge(
+        task_, std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count());
   }
   Stopwatch(const Stopwatch&) = delete;
   Stopwatch& operator=(const Stopwatch&) = delete;

@@ -41,8 +41,10 @@ Int3 rank_layout(const BoxGrid& grid, int ranks, int min_cells) {
   if (const auto layout = best_layout(grid, ranks, min_cells)) return *layout;
   int fewer = ranks - 1;
   while (fewer > 1 && !best_layout(grid, fewer, min_cells)) --fewer;
-  fail("{} gas ranks cannot share a grid of {} x {} x {} cells with at least {} cells a side: use {}.",
-       ranks, grid.cells[0], grid.cells[1], grid.cells[2], min_cells, fewer);
+  fail(
+      "{} gas ranks cannot share a grid of {} x {} x {} cells with at least {} cells a side: use "
+      "{}.",
+      ranks, grid.cells[0], grid.cells[1], grid.cells[2], min_cells, fewer);
 }
 
 std::vector<IndexBox> decompose(const BoxGrid& grid, int ranks, int min_cells) {

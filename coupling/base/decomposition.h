@@ -8,8 +8,9 @@
 namespace gasgrain {
 
 // Boxes of nearly equal size (extents differ by at most one cell per axis), one a rank, x-rank
-// fastest. The cut with the smallest area is taken; the longest axis is cut first. No box is thinner
-// than `min_cells`; throws Error, which names the greatest number of ranks, when that cannot be.
+// fastest. The cut with the smallest area is taken; the longest axis is cut first. No box is
+// thinner than `min_cells`; throws Error, which names the greatest number of ranks, when that
+// cannot be.
 std::vector<IndexBox> decompose(const BoxGrid& grid, int ranks, int min_cells = 2);
 
 // Ranks per axis that decompose() chooses.

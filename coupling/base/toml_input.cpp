@@ -12,7 +12,9 @@
 namespace gasgrain {
 namespace {
 
-int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
+int line_of(const toml::node& node) {
+  return static_cast<int>(node.source().begin.line);
+}
 
 std::string dotted(const std::string& path, const std::string& key) {
   return path.empty() ? key : path + "." + key;
@@ -181,8 +183,8 @@ Vec3 InputTable::vec3(const std::string& key, std::optional<Vec3> fallback, Rang
   const auto values = numbers(key, list, range, unit);
   if (values.size() == 3) return {values[0], values[1], values[2]};
   if (has(key) && table_->get(key)->is_array() && !values.empty())
-    fault(key, fmt::format("{} must have three values, it has {}.", dotted(path_, key),
-                           values.size()));
+    fault(key,
+          fmt::format("{} must have three values, it has {}.", dotted(path_, key), values.size()));
   return fallback.value_or(Vec3::Zero());
 }
 
@@ -240,7 +242,9 @@ TomlInput::TomlInput(const std::string& file)
 
 TomlInput::~TomlInput() = default;
 
-InputTable TomlInput::root() { return {this, &document_->table, "", 1}; }
+InputTable TomlInput::root() {
+  return {this, &document_->table, "", 1};
+}
 
 void TomlInput::find_unknown(const toml::table& table, const std::string& path) {
   for (const auto& [key, node] : table) {
@@ -256,8 +260,8 @@ void TomlInput::find_unknown(const toml::table& table, const std::string& path) 
         if (inside && std::find(siblings.begin(), siblings.end(), last) == siblings.end())
           siblings.push_back(last);
       }
-      faults_.emplace_back(line_of(node), fmt::format("the key {} is unknown.{}", name,
-                                                      suggestion(word, siblings)));
+      faults_.emplace_back(
+          line_of(node), fmt::format("the key {} is unknown.{}", name, suggestion(word, siblings)));
       continue;
     }
     if (const auto* inner = node.as_table()) find_unknown(*inner, name);

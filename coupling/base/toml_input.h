@@ -31,9 +31,7 @@ struct Range {
   static Range positive() { return {0.0, std::numeric_limits<double>::infinity(), true}; }
   static Range not_negative() { return {0.0, std::numeric_limits<double>::infinity(), false}; }
   static Range within(double min, double max) { return {min, max, false}; }
-  [[nodiscard]] bool holds(double x) const {
-    return (open_min ? x > min : x >= min) && x <= max;
-  }
+  [[nodiscard]] bool holds(double x) const { return (open_min ? x > min : x >= min) && x <= max; }
   [[nodiscard]] std::string text() const;
 };
 
@@ -42,7 +40,8 @@ class TomlInput;
 // One table of the file. Keys that are never asked for are faults of finish().
 class InputTable {
  public:
-  // A value with a default; without one (std::nullopt) the key is required. Units go to the message.
+  // A value with a default; without one (std::nullopt) the key is required. Units go to the
+  // message.
   double number(const std::string& key, std::optional<double> fallback, Range range,
                 const std::string& unit);
   int integer(const std::string& key, std::optional<int> fallback, Range range);

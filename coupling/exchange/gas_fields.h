@@ -1,7 +1,8 @@
 // Contract: what a gas solver lends to the particles and what it takes back, cell by cell.
 //
 // Fields are named here once; a run moves, stores and computes only those in its FieldSet. Vectors
-// take three components. Signs and units are those of the LIST below; all values are means of a cell.
+// take three components. Signs and units are those of the LIST below; all values are means of a
+// cell.
 #pragma once
 
 #include <array>

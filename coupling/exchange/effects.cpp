@@ -1,0 +1,119 @@
+#include "coupling/exchange/effects.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "coupling/base/error.h"
+
+namespace gasgrain {
+namespace {
+
+const std::string drag_word = "drag";
+const std::string method_word = "void_fraction";
+
+std::vector<std::string> known_words() {
+  std::vector<std::string> words = choice_names<SteadyForce>();
+  words.insert(words.begin(), {drag_word, method_word});
+  return words;
+}
+
+class EffectsParser {
+ public:
+  EffectsParser(const std::vector<std::string>& words, const std::string& where)
+      : words_(words), where_(where) {}
+
+  Effects parse() {
+    while (next_ < words_.size()) {
+      const std::string word = words_[next_++];
+      if (word == drag_word)
+        read_choice<DragModel>(word, [&](const DragModel& model) { effects_.drag = model; });
+      else if (word == method_word)
+        read_choice<VoidFractionMethod>(
+            word, [&](const VoidFractionMethod& method) { effects_.method = method; });
+      else
+        read_force(word);
+    }
+    if (!faults_.empty()) throw Error(fmt::format("{}", fmt::join(faults_, "\n")));
+    return effects_;
+  }
+
+ private:
+  template <class... Args>
+  void fault(fmt::format_string<Args...> text, Args&&... args) {
+    faults_.push_back(where_ + ": " + fmt::format(text, std::forward<Args>(args)...));
+  }
+
+  bool is_new(const std::string& word) {
+    if (std::find(seen_.begin(), seen_.end(), word) != seen_.end()) {
+      fault("\"{}\" is named twice. Remove one of them.", word);
+      return false;
+    }
+    seen_.push_back(word);
+    return true;
+  }
+
+  void read_force(const std::string& word) {
+    const auto force = choice_named<SteadyForce>(word);
+    if (!force)
+      fault("the effect \"{}\" is unknown.{}", word, suggestion(word, known_words()));
+    else if (is_new(word))
+      effects_.forces.push_back(*force);
+  }
+
+  template <class List, class Store>
+  void read_choice(const std::string& word, Store&& store) {
+    const auto names = choice_names<List>();
+    const auto known = known_words();
+    const bool missing = next_ == words_.size() ||
+                         std::find(known.begin(), known.end(), words_[next_]) != known.end();
+    if (missing) {
+      fault("\"{}\" must be followed by one of: {}.", word, fmt::join(names, ", "));
+      return;
+    }
+    const std::string& value = words_[next_++];
+    const auto choice = choice_named<List>(value);
+    if (!choice) {
+      fault("{} \"{}\" is unknown.{}", word, value, suggestion(value, names));
+      return;
+    }
+    if (is_new(word)) store(*choice);
+  }
+
+  const std::vector<std::string>& words_;
+  const std::string& where_;
+  std::size_t next_ = 0;
+  std::vector<std::string> seen_;
+  std::vector<std::string> faults_;
+  Effects effects_;
+};
+
+}  // namespace
+
+FieldSet Effects::lent() const {
+  FieldSet fields;
+  if (drag) fields.add(GasField::void_fraction).add(GasField::velocity);
+  for (const auto& force : forces)
+    fields = fields.united(std::visit([](const auto& chosen) { return chosen.lent(); }, force));
+  return fields;
+}
+
+FieldSet Effects::taken() const {
+  FieldSet fields = FieldSet().add(GasField::solid_volume);
+  if (drag) fields.add(GasField::drag_coefficient).add(GasField::drag_source);
+  return fields;
+}
+
+std::string Effects::text() const {
+  std::string words = method_word + " " + std::string(name_of(method));
+  if (drag) words += " " + drag_word + " " + std::string(name_of(*drag));
+  for (const auto& force : forces) words += " " + std::string(name_of(force));
+  return words;
+}
+
+Effects parse_effects(const std::vector<std::string>& words, const std::string& where) {
+  return EffectsParser(words, where).parse();
+}
+
+}  // namespace gasgrain

@@ -1,0 +1,95 @@
+#include "coupling/exchange/ledger.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <limits>
+
+#include "coupling/base/error.h"
+
+namespace gasgrain {
+
+Ledger::Ledger(const Effects& effects) : has_drag_(effects.drag.has_value()) {
+  for (const auto& force : effects.forces) forces_.emplace_back(name_of(force));
+  work_.resize(forces_.size(), 0.0);
+}
+
+void Ledger::add_taken(const AppliedDrag& applied) {
+  taken_ += applied.impulse;
+  exchanged_ += applied.magnitude;
+}
+
+void Ledger::add_steady_work(const std::vector<double>& work) {
+  for (std::size_t n = 0; n < work_.size(); ++n) work_[n] += work.at(n);
+}
+
+double Ledger::residual() const {
+  const double amiss = (given_ - taken_ + outstanding_ + left_).norm();
+  if (amiss == 0.0) return 0.0;
+  return exchanged_ > 0.0 ? amiss / exchanged_ : std::numeric_limits<double>::infinity();
+}
+
+std::vector<std::string> Ledger::idle_effects() const {
+  std::vector<std::string> idle;
+  if (has_drag_ && exchanged_ == 0.0) idle.emplace_back("drag");
+  for (std::size_t n = 0; n < forces_.size(); ++n)
+    if (work_[n] == 0.0) idle.push_back(forces_[n]);
+  return idle;
+}
+
+std::vector<double> Ledger::values() const {
+  std::vector<double> values;
+  for (const Vec3* sum : {&given_, &taken_, &outstanding_, &left_})
+    values.insert(values.end(), sum->data(), sum->data() + 3);
+  values.push_back(exchanged_);
+  values.insert(values.end(), work_.begin(), work_.end());
+  return values;
+}
+
+void Ledger::set_values(const std::vector<double>& values) {
+  const std::size_t expected = this->values().size();
+  if (values.size() != expected)
+    fail(
+        "the drag ledger was given {} values of another rank where its effects ask for {}: all "
+        "ranks must have the same effects",
+        values.size(), expected);
+  const double* next = values.data();
+  for (Vec3* sum : {&given_, &taken_, &outstanding_, &left_}) {
+    *sum = Eigen::Map<const Vec3>(next);
+    next += 3;
+  }
+  exchanged_ = *next++;
+  work_.assign(next, next + work_.size());
+}
+
+std::string Ledger::csv_header() {
+  std::string header = "time_s";
+  for (const char* name : {"given", "taken", "outstanding", "left"})
+    for (const char axis : {'x', 'y', 'z'}) header += fmt::format(",{}_{}_Ns", name, axis);
+  return header + ",exchanged_Ns,residual";
+}
+
+std::string Ledger::csv_row(double time) const {
+  std::string row = fmt::format("{:.9g}", time);
+  for (const Vec3* sum : {&given_, &taken_, &outstanding_, &left_})
+    row += fmt::format(",{:.9g},{:.9g},{:.9g}", (*sum)[0], (*sum)[1], (*sum)[2]);
+  return row + fmt::format(",{:.9g},{:.3g}", exchanged_, residual());
+}
+
+std::string Ledger::text() const {
+  const auto vector = [](const Vec3& v) {
+    return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0], v[1], v[2]);
+  };
+  std::string text = fmt::format(
+      "drag impulse [N s]: given by the gas {}, taken by particles {}, outstanding {}, left with "
+      "removed particles {}; exchanged {:.6g}, residual {:.2e}",
+      vector(given_), vector(taken_), vector(outstanding_), vector(left_), exchanged_, residual());
+  const auto idle = idle_effects();
+  if (!idle.empty())
+    text += fmt::format(
+        "\neffects that are on and did nothing: {}. Remove them from the scene, or look why.",
+        fmt::join(idle, ", "));
+  return text;
+}
+
+}  // namespace gasgrain

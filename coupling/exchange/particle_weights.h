@@ -1,0 +1,106 @@
+// The weights between the particles of a rank and the cells of its tile, found once a coupled step.
+//
+// Everything that goes from particles to cells (deposit) and from cells to particles (sample) uses
+// this one list, so that the two are exact adjoints of each other:
+//   sum_cells field * deposit(q) = sum_particles q * sample(field).
+// With it, what the particles take out of the gas is what the gas gives.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "coupling/base/array3.h"
+#include "coupling/base/error.h"
+#include "coupling/exchange/particle_view.h"
+#include "coupling/exchange/void_fraction/methods.h"
+
+namespace gasgrain {
+
+// One Array3 a component.
+using VectorField = std::array<Array3<double>, 3>;
+
+inline VectorField make_vector_field(const IndexBox& box) {
+  return {Array3<double>(box), Array3<double>(box), Array3<double>(box)};
+}
+
+class ParticleWeights {
+ public:
+  // Replaces the list. Throws Error naming the particle when one touches a cell outside of the tile
+  // or its position is not a number.
+  void find(const ParticleView& particles, const VoidFractionMethod& method,
+            const TileFrame& frame);
+
+  [[nodiscard]] std::size_t particles() const { return first_.empty() ? 0 : first_.size() - 1; }
+  [[nodiscard]] std::size_t entries() const { return cell_.size(); }
+  [[nodiscard]] const IndexBox& tile() const { return tile_; }
+  // Particles whose centre was beyond a wall of the box: the host's walls leak or are elsewhere.
+  [[nodiscard]] std::size_t beyond_walls() const { return beyond_walls_; }
+
+  // Adds value(p), a double, of every particle to the field.
+  template <class F>
+  void deposit(F&& value, Array3<double>& field) const {
+    check(field);
+    double* out = field.data();
+    for (std::size_t p = 0; p + 1 < first_.size(); ++p) {
+      const double q = value(p);
+      for (std::size_t n = first_[p]; n < first_[p + 1]; ++n) out[cell_[n]] += weight_[n] * q;
+    }
+  }
+
+  // Adds value(p), a Vec3, of every particle to the field.
+  template <class F>
+  void deposit(F&& value, VectorField& field) const {
+    for (const auto& component : field) check(component);
+    double* out[3] = {field[0].data(), field[1].data(), field[2].data()};
+    for (std::size_t p = 0; p + 1 < first_.size(); ++p) {
+      const Vec3 q = value(p);
+      for (std::size_t n = first_[p]; n < first_[p + 1]; ++n)
+        for (int d = 0; d < 3; ++d) out[d][cell_[n]] += weight_[n] * q[d];
+    }
+  }
+
+  // Calls put(p, value) with the field's weighted mean, a double, at every particle.
+  template <class F>
+  void sample(const Array3<double>& field, F&& put) const {
+    check(field);
+    const double* in = field.data();
+    for (std::size_t p = 0; p + 1 < first_.size(); ++p) {
+      double sum = 0.0;
+      for (std::size_t n = first_[p]; n < first_[p + 1]; ++n) sum += weight_[n] * in[cell_[n]];
+      put(p, sum);
+    }
+  }
+
+  // Calls put(p, value) with the field's weighted mean, a Vec3, at every particle.
+  template <class F>
+  void sample(const VectorField& field, F&& put) const {
+    for (const auto& component : field) check(component);
+    const double* in[3] = {field[0].data(), field[1].data(), field[2].data()};
+    for (std::size_t p = 0; p + 1 < first_.size(); ++p) {
+      Vec3 sum = Vec3::Zero();
+      for (std::size_t n = first_[p]; n < first_[p + 1]; ++n)
+        for (int d = 0; d < 3; ++d) sum[d] += weight_[n] * in[d][cell_[n]];
+      put(p, sum);
+    }
+  }
+
+ private:
+  void check(const Array3<double>& field) const {
+    if (field.box() != tile_)
+      fail(
+          "a field of {} cells was given to weights of a tile of {} cells: both must have the "
+          "same box",
+          field.size(), tile_.size());
+  }
+
+  IndexBox tile_;
+  std::vector<std::size_t>
+      first_;  // where the entries of a particle begin; one more than particles
+  std::vector<std::uint32_t> cell_;  // offset into an Array3 over the tile
+  std::vector<double> weight_;
+  std::size_t beyond_walls_ = 0;
+};
+
+}  // namespace gasgrain

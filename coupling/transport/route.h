@@ -1,0 +1,62 @@
+// Which cells a rank shares with which ranks of the partner program, and the moving of fields along
+// these routes. Fields move as boxes of cells; particles never do, and nothing is gathered.
+#pragma once
+
+#include <mpi.h>
+
+#include <vector>
+
+#include "coupling/base/array3.h"
+
+namespace gasgrain {
+
+// Cells exchanged with one partner rank. A DEM rank's tile has UNWRAPPED indices on a periodic axis
+// (it may reach below 0 or beyond the last cell), a gas rank's box never does: `shift` is added to
+// a gas index to give the tile's.
+struct RoutePiece {
+  IndexBox gas_cells;
+  Int3 shift{0, 0, 0};
+};
+
+struct Route {
+  int partner = 0;  // rank in the partner program
+  std::vector<RoutePiece> pieces;
+  [[nodiscard]] std::size_t cells() const;
+};
+
+// Pieces in which a DEM tile meets a gas box; both sides compute the same list in the same order.
+std::vector<RoutePiece> common_pieces(const BoxGrid& grid, const IndexBox& tile,
+                                      const IndexBox& gas_box);
+
+// Routes of a DEM rank to all gas ranks, or (`i_am_gas`) of a gas rank to all DEM ranks; only
+// partners with common cells have one. `partner_boxes`: tile or box of every partner rank.
+std::vector<Route> make_routes(const BoxGrid& grid, const IndexBox& mine,
+                               const std::vector<IndexBox>& partner_boxes, bool i_am_gas);
+
+// The fields that move together; all over the rank's own box (tile or gas box).
+using FieldList = std::vector<Array3<double>*>;
+
+// Moves lists of fields along the routes of a rank, one message a partner.
+class RouteTransport {
+ public:
+  RouteTransport() = default;
+  RouteTransport(MPI_Comm partner, std::vector<Route> routes, bool i_am_gas);
+
+  // Sends the common cells of `fields` to every partner. Returns when the buffers may be reused.
+  void send(const FieldList& fields, int tag);
+  // Receives from every partner, asleep while waiting. A gas rank ADDS what comes, in the order of
+  // the partners' ranks (so that the same launch gives the same sums); a DEM rank overwrites.
+  void receive(const FieldList& fields, int tag);
+
+  [[nodiscard]] long bytes_sent() const { return bytes_sent_; }
+  [[nodiscard]] const std::vector<Route>& routes() const { return routes_; }
+
+ private:
+  MPI_Comm partner_ = MPI_COMM_NULL;
+  std::vector<Route> routes_;
+  bool i_am_gas_ = false;
+  std::vector<std::vector<double>> buffers_;
+  long bytes_sent_ = 0;
+};
+
+}  // namespace gasgrain
