@@ -1,0 +1,46 @@
+#include "gas_solver/boundary/ghosts.h"
+
+namespace gasgrain {
+namespace {
+
+// Repeats, times `factor`, the layer `first` of an axis over the layers outside of it.
+void repeat_outwards(Array3<double>& field, int side, int first, double factor) {
+  const int axis = axis_of(side);
+  const IndexBox box = field.box();
+  IndexBox ghosts = box;
+  (is_high(side) ? ghosts.lo : ghosts.hi)[axis] = is_high(side) ? first + 1 : first;
+  const std::ptrdiff_t stride = field.stride(axis);
+  for_each_cell(ghosts, [&](int i, int j, int k) {
+    const auto o = field.offset(i, j, k);
+    const int n = axis == 0 ? i : (axis == 1 ? j : k);
+    field[o] = factor * field[o + (first - n) * stride];
+  });
+}
+
+template <class Factor>
+void fill(const Domain& domain, int component, Array3<double>& field, Factor&& factor) {
+  for (int side = 0; side < side_count; ++side) {
+    if (!domain.touches(side)) continue;
+    const int axis = axis_of(side);
+    const int last = axis == component ? domain.own().hi[axis] : domain.own().hi[axis] - 1;
+    repeat_outwards(field, side, is_high(side) ? last : domain.own().lo[axis],
+                    axis == component ? 1.0 : factor(side));
+  }
+}
+
+}  // namespace
+
+void fill_ghost_cells(const Domain& domain, Array3<double>& cells) {
+  fill(domain, -1, cells, [](int) { return 1.0; });
+}
+
+void fill_ghost_velocities(const Domain& domain, const Sides& sides, int component,
+                           Array3<double>& velocity) {
+  fill(domain, component, velocity, [&](int side) { return sides[side]->sticks ? -1.0 : 1.0; });
+}
+
+void fill_ghost_fluxes(const Domain& domain, int component, Array3<double>& flux) {
+  fill(domain, component, flux, [](int) { return 1.0; });
+}
+
+}  // namespace gasgrain

@@ -1,0 +1,164 @@
+#include "gas_solver/coupling_port.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "gas_solver/packing_limit.h"
+
+namespace gasgrain {
+namespace {
+
+// Everything this solver can lend and take.
+constexpr FieldSet all_fields() {
+  FieldSet set;
+  for (const auto& field : gas_field_list) set.add(field.field);
+  return set;
+}
+
+DemHello meet(const GasSolver& solver, const GasInput& input, MPI_Comm partner,
+              const std::string& input_file) {
+  GasHello hello;
+  put_text(hello.version, GASGRAIN_VERSION);
+  put_text(hello.input_file, input_file);
+  const BoxGrid& grid = solver.grid();
+  for (int d = 0; d < 3; ++d) {
+    hello.grid_lo[d] = grid.lo[d];
+    hello.grid_hi[d] = grid.hi[d];
+    hello.periodic[d] = grid.periodic[d] ? 1 : 0;
+  }
+  hello.cells = grid.cells;
+  hello.density = input.density;
+  hello.viscosity = input.viscosity;
+  hello.time = solver.time();
+  hello.lends = hello.takes = all_fields().bits();
+  hello.probes =
+      static_cast<int>(std::min(input.pressure_probes.size(), hello.probe_heights.size()));
+  std::copy_n(input.pressure_probes.begin(), hello.probes, hello.probe_heights.begin());
+  return greet_dem(solver.domain().comm(), partner, hello);
+}
+
+void append(FieldList& list, CellVector& field) {
+  for (auto& component : field) list.push_back(&component);
+}
+
+CellVector cell_vector(const IndexBox& box) {
+  return {Array3<double>(box), Array3<double>(box), Array3<double>(box)};
+}
+
+}  // namespace
+
+CouplingPort::CouplingPort(GasSolver& solver, const GasInput& input, MPI_Comm partner,
+                           const std::string& input_file, const std::string& out)
+    : solver_(solver),
+      local_(solver.domain().comm()),
+      partner_(partner),
+      out_(out),
+      halo_(solver.domain()),
+      solid_volume_(solver.own()),
+      void_fraction_(solver.own()),
+      cost_transport_(solver.costs().task("transport")),
+      cost_wait_(solver.costs().task("waiting for the particles")) {
+  const DemHello dem = meet(solver, input, partner, input_file);
+  lent_ = FieldSet(dem.lent);
+  taken_ = FieldSet(dem.taken);
+  if (taken_.has(GasField::drag_coefficient)) {
+    drag_coefficient_ = Array3<double>(solver.own());
+    drag_source_ = cell_vector(solver.own());
+  }
+}
+
+void CouplingPort::serve(const std::function<void()>& after_interval) {
+  while (true) {
+    Command command;
+    {
+      const Stopwatch watch(solver_.costs(), cost_wait_);
+      command = receive_command(local_, partner_);
+    }
+    if (command.kind == CommandKind::finish) return;
+    if (command.kind == CommandKind::checkpoint) {
+      solver_.write_checkpoint(fmt::format("{}/checkpoint/gas.{}.h5", out_, command.step));
+      send_report(local_, partner_, Report{});
+      continue;
+    }
+    couple(command);
+    after_interval();
+  }
+}
+
+void CouplingPort::couple(const Command& command) {
+  const bool fresh = command.fresh != 0;
+  if (fresh)
+    transport_ = RouteTransport(
+        partner_,
+        make_routes(solver_.grid(), solver_.own(), swap_boxes(partner_, solver_.own()), true),
+        true);
+  take_solids(fresh);
+  if (taken_.has(GasField::drag_coefficient)) take_drag();
+  const GasReport done = solver_.advance(command.interval);
+
+  const Stopwatch watch(solver_.costs(), cost_transport_);
+  FieldList lent;
+  if (lent_.has(GasField::velocity)) append(lent, lent_velocity_ = solver_.mean_velocity());
+  if (lent_.has(GasField::pressure_gradient))
+    append(lent, lent_gradient_ = solver_.mean_pressure_gradient());
+  if (!lent.empty()) transport_.send(lent, lent_tag);
+  send_report(local_, partner_, report_of(done));
+}
+
+void CouplingPort::take_solids(bool fresh) {
+  solid_volume_.fill(0.0);
+  {
+    const Stopwatch watch(solver_.costs(), cost_wait_);
+    transport_.receive({&solid_volume_}, solids_tag);
+  }
+  Array3<double> solids(solver_.domain().box());
+  const double cell = solver_.grid().cell_volume();
+  for_each_cell(solver_.own(),
+                [&](int i, int j, int k) { solids(i, j, k) = solid_volume_(i, j, k) / cell; });
+  moved_cells_ = local_.sum(move_solids_above_limit(solver_.domain(), halo_, solids));
+  for_each_cell(solver_.own(),
+                [&](int i, int j, int k) { void_fraction_(i, j, k) = 1.0 - solids(i, j, k); });
+  solver_.set_void_fraction(void_fraction_);
+
+  const Stopwatch watch(solver_.costs(), cost_transport_);
+  FieldList back;
+  if (lent_.has(GasField::void_fraction)) back.push_back(&void_fraction_);
+  if (fresh && lent_.has(GasField::velocity))
+    append(back, lent_velocity_ = solver_.mean_velocity());
+  if (!back.empty()) transport_.send(back, lent_tag);
+}
+
+void CouplingPort::take_drag() {
+  drag_coefficient_.fill(0.0);
+  for (auto& component : drag_source_) component.fill(0.0);
+  FieldList taken{&drag_coefficient_};
+  append(taken, drag_source_);
+  {
+    const Stopwatch watch(solver_.costs(), cost_wait_);
+    transport_.receive(taken, drag_tag);
+  }
+  solver_.set_drag(drag_coefficient_, drag_source_);
+}
+
+Report CouplingPort::report_of(const GasReport& done) const {
+  Report report;
+  report.time = done.time;
+  report.substeps = done.substeps;
+  report.courant_max = done.courant_max;
+  report.pressure_iterations = done.pressure_iterations;
+  report.continuity_residual = done.continuity_residual;
+  report.mass_inflow = done.mass_inflow;
+  report.mass_outflow = done.mass_outflow;
+  report.backflow_faces = done.backflow_faces;
+  report.moved_cells = moved_cells_;
+  for (int d = 0; d < 3; ++d) report.drag_impulse[d] = done.drag_impulse[d];
+  report.bubble_diameter = done.bubble_diameter;
+  report.surface_height = done.surface_height;
+  std::copy_n(done.probe_pressure.begin(),
+              std::min(done.probe_pressure.size(), report.probe_pressure.size()),
+              report.probe_pressure.begin());
+  return report;
+}
+
+}  // namespace gasgrain

@@ -1,0 +1,55 @@
+// The gas program's side of a coupled run: takes what the DEM ranks deposit, advances the gas,
+// lends its fields. The one place where the gas solver sees the coupling.
+#pragma once
+
+#include <mpi.h>
+
+#include <functional>
+#include <string>
+
+#include "coupling/exchange/gas_fields.h"
+#include "coupling/transport/protocol.h"
+#include "coupling/transport/route.h"
+#include "gas_solver/gas_step.h"
+
+namespace gasgrain {
+
+class CouplingPort {
+ public:
+  // Meets the DEM program. `input_file`: of the solver, for messages; `out`: folder of the results.
+  CouplingPort(GasSolver& solver, const GasInput& input, MPI_Comm partner,
+               const std::string& input_file, const std::string& out);
+
+  // Serves the DEM program until it finishes; `after_interval` is called when an interval is done
+  // and the particles have their fields. Collective over both programs.
+  void serve(const std::function<void()>& after_interval);
+
+ private:
+  void couple(const Command& command);
+  void take_solids(bool fresh);
+  void take_drag();
+  [[nodiscard]] Report report_of(const GasReport& done) const;
+
+  GasSolver& solver_;
+  Communicator local_;
+  MPI_Comm partner_;
+  std::string out_;
+  FieldSet lent_;
+  FieldSet taken_;
+  Halo halo_;
+  RouteTransport transport_;
+  long moved_cells_ = 0;
+
+  // Over own()
+  Array3<double> solid_volume_;
+  Array3<double> void_fraction_;
+  Array3<double> drag_coefficient_;
+  CellVector drag_source_;
+  CellVector lent_velocity_;
+  CellVector lent_gradient_;
+
+  std::size_t cost_transport_;
+  std::size_t cost_wait_;
+};
+
+}  // namespace gasgrain

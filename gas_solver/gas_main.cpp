@@ -1,0 +1,169 @@
+// gasgrain-gas: the gas solver as a program.
+#include <mpi.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "coupling/base/decomposition.h"
+#include "coupling/base/error.h"
+#include "coupling/transport/launch.h"
+#include "gas_solver/coupling_port.h"
+#include "gas_solver/gas_step.h"
+#include "gas_solver/io/history.h"
+#include "gas_solver/io/snapshots.h"
+
+namespace gasgrain {
+namespace {
+
+struct Options {
+  std::string input;
+  std::string out = "results";
+  std::string restart;  // empty: a new run
+  int ranks = 0;        // for --check; 0: as many as run
+  bool check = false;
+};
+
+// The intervals of a run without particles, when [output] every names none.
+constexpr double default_interval_steps = 10;
+
+void show_progress(const GasReport& report, double end, bool last) {
+  const bool on_terminal = isatty(STDOUT_FILENO) != 0;
+  fmt::print(
+      "{}t = {:.6g} of {:.6g} s, {} steps of {:.3g} s, Courant number {:.3g}, inflow {:.6g}, "
+      "outflow {:.6g} kg/s{}",
+      on_terminal ? "\r\033[K" : "", report.time, end, report.substeps, report.step,
+      report.courant_max, report.mass_inflow, report.mass_outflow,
+      on_terminal && !last ? "" : "\n");
+  std::fflush(stdout);
+}
+
+void run_alone(const Options& options, const GasInput& input, const Communicator& comm) {
+  GasSolver gas(input, comm);
+  if (comm.is_root()) std::filesystem::create_directories(options.out);
+  MPI_Barrier(comm.handle());
+  const bool restarted = !options.restart.empty();
+  if (restarted) gas.read_checkpoint(options.restart);
+  const double begin = restarted ? gas.time() : -1;
+  std::unique_ptr<Snapshots> snapshots;
+  if (input.output_every > 0)
+    snapshots = std::make_unique<Snapshots>(options.out, gas.domain(), begin);
+  std::unique_ptr<History> history;
+  if (comm.is_root()) history = std::make_unique<History>(options.out, input, begin);
+  if (snapshots && !restarted) snapshots->write(gas);
+
+  const double interval =
+      input.output_every > 0 ? input.output_every : default_interval_steps * input.step;
+  const double round_off = 1e-9 * interval;
+  while (gas.time() < input.end - round_off) {
+    // Intervals end at multiples of their length, so that a restarted run has the same ones.
+    const double next = interval * (std::floor((gas.time() + round_off) / interval) + 1);
+    const GasReport report = gas.advance(std::min(next, input.end) - gas.time());
+    if (history) history->add(report);
+    if (snapshots) snapshots->write(gas);
+    if (comm.is_root()) show_progress(report, input.end, gas.time() >= input.end - round_off);
+  }
+  gas.write_checkpoint(options.out + "/gas.checkpoint.h5");
+}
+
+// Serves the DEM program of the launch; its intervals pace the output.
+void run_coupled(const Options& options, const GasInput& input, const Launch& launch) {
+  const Communicator& comm = launch.local();
+  GasSolver gas(input, comm);
+  if (comm.is_root()) std::filesystem::create_directories(options.out + "/checkpoint");
+  MPI_Barrier(comm.handle());
+  const bool restarted = !options.restart.empty();
+  if (restarted) gas.read_checkpoint(options.restart);
+  CouplingPort port(gas, input, launch.partner(), options.input, options.out);
+  std::unique_ptr<Snapshots> snapshots;
+  if (input.output_every > 0)
+    snapshots = std::make_unique<Snapshots>(options.out, gas.domain(), restarted ? gas.time() : -1);
+  const std::size_t cost_output = gas.costs().task("output");
+  long written = static_cast<long>(std::floor(gas.time() / input.output_every));
+  port.serve([&] {
+    // The end of an interval is a snapshot's time when the next multiple of `every` has been
+    // reached.
+    const double round_off = 1e-6 * input.output_every;
+    const auto reached =
+        static_cast<long>(std::floor((gas.time() + round_off) / input.output_every));
+    if (!snapshots || reached <= written) return;
+    const Stopwatch watch(gas.costs(), cost_output);
+    snapshots->write(gas);
+    written = reached;
+  });
+  const std::string ledger = gas.costs().json(comm);
+  if (comm.is_root()) std::ofstream(options.out + "/ledger.gas.json") << ledger << '\n';
+}
+
+void run(const Options& options, const Launch& launch) {
+  const Communicator& comm = launch.local();
+  const bool alone = !options.check && !launch.has_partner();
+  const GasInput input = read_gas_input(options.input, alone);
+  rank_layout(input.grid, options.ranks > 0 ? options.ranks : comm.size());
+  if (options.check) {
+    if (comm.is_root()) fmt::print("ok\n");
+  } else if (alone) {
+    run_alone(options, input, comm);
+  } else {
+    run_coupled(options, input, launch);
+  }
+}
+
+// One message; every rank of both programs ends.
+[[noreturn]] void stop(const Communicator& local, const std::string& message) {
+  // An error that all ranks meet is the root's to tell; it ends this rank before the time is over.
+  if (!local.is_root()) std::this_thread::sleep_for(std::chrono::seconds(3));
+  std::fprintf(stderr, "\ngasgrain-gas: error: %s\n\n", message.c_str());
+  std::fflush(nullptr);
+  MPI_Abort(MPI_COMM_WORLD, 1);
+  std::_Exit(1);
+}
+
+int parse(int argc, char** argv, Options& options) {
+  CLI::App app("Gas solver of gasgrain: flow through beds of grains on a uniform grid");
+  app.set_version_flag("--version", GASGRAIN_VERSION);
+  app.add_option("input", options.input, "gas.toml")->required();
+  app.add_option("--out", options.out, "folder for results")->capture_default_str();
+  app.add_option("--restart", options.restart, "checkpoint to go on from");
+  app.add_option("--ranks", options.ranks, "with --check: number of gas ranks the grid must fit")
+      ->check(CLI::PositiveNumber);
+  app.add_flag("--check", options.check, "read and check the input, run nothing");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? 0 : 1;
+  }
+  return -1;
+}
+
+}  // namespace
+}  // namespace gasgrain
+
+int main(int argc, char** argv) {
+  MPI_Init(&argc, &argv);
+  // mpirun passes the wish to stop on to all; the DEM program decides when, the gas follows it.
+  std::signal(SIGUSR1, SIG_IGN);
+  gasgrain::Options options;
+  const int status = gasgrain::parse(argc, argv, options);
+  if (status >= 0) {
+    MPI_Finalize();
+    return status;
+  }
+  gasgrain::Communicator local(MPI_COMM_WORLD);
+  try {
+    const gasgrain::Launch launch(gasgrain::Program::gas);
+    local = launch.local();
+    gasgrain::run(options, launch);
+  } catch (const std::exception& e) {
+    gasgrain::stop(local, e.what());
+  }
+  MPI_Finalize();
+  return 0;
+}

@@ -1,0 +1,122 @@
+// The gas solver as its users see it: lend it void fraction and drag, let it advance, take means back.
+//
+// A step of time, in order: void fraction and inflow of its end; prediction of the velocity with the
+// old pressure; projection, which carries the drag implicitly; sums for the means. An interval of the
+// coupling is split into equal steps that respect [time] step and courant_max.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "coupling/base/cost_ledger.h"
+#include "gas_solver/boundary/inflow.h"
+#include "gas_solver/gas_input.h"
+#include "gas_solver/grid/gas_state.h"
+#include "gas_solver/grid/halo.h"
+#include "gas_solver/grid/hydrostatic.h"
+#include "gas_solver/measures/bed.h"
+#include "gas_solver/measures/probes.h"
+#include "gas_solver/momentum/predictor.h"
+#include "gas_solver/pressure/projection.h"
+
+namespace gasgrain {
+
+// What an interval did. Flows and faces are those of its last step.
+struct GasReport {
+  double time = 0;  // at the interval's end [s]
+  int substeps = 0;
+  double step = 0;                 // shortest of them [s]
+  double courant_max = 0;          // greatest |u| dt / h
+  int pressure_iterations = 0;     // sum
+  double continuity_residual = 0;  // greatest of a cell, relative to the flow through the grid
+  double mass_inflow = 0;          // [kg/s]
+  double mass_outflow = 0;         // [kg/s]
+  long backflow_faces = 0;         // outlet faces where gas comes in
+  long momentum_not_converged = 0;  // components that missed the tolerance, sum
+  // What the gas lost to the grains by drag [N s]: dt sum of (K u - S) V with the mean velocity.
+  Vec3 drag_impulse = Vec3::Zero();
+  std::vector<double> probe_pressure;  // above the outlet's [Pa], as [output] pressure_probes
+  double bubble_diameter = 0;          // [m]
+  double surface_height = 0;           // z [m]
+};
+
+using CellVector = std::array<Array3<double>, 3>;
+
+class GasSolver {
+ public:
+  GasSolver(const GasInput& input, const Communicator& comm);
+
+  [[nodiscard]] const BoxGrid& grid() const { return domain_.grid(); }
+  [[nodiscard]] const IndexBox& own() const { return domain_.own(); }
+  [[nodiscard]] const Domain& domain() const { return domain_; }
+  [[nodiscard]] double time() const { return time_; }
+
+  // Void fraction at the end of the next interval, over own(); within it eps changes linearly. The
+  // first one holds from the beginning. Collective.
+  void set_void_fraction(const Array3<double>& eps);
+  // K [kg/(m3 s)] and S [N/m3] of the next interval, over own(): the gas loses K u - S. Collective.
+  void set_drag(const Array3<double>& coefficient, const CellVector& source);
+
+  // Collective.
+  GasReport advance(double interval);
+
+  // Means of the last interval over own(). A velocity is the mean of a cell's two faces, those on
+  // sides included. A pressure gradient (gravity's included) is so too; a face of given velocity
+  // takes that of the cell's opposite face, an outlet face its own to the outlet's pressure.
+  [[nodiscard]] const CellVector& mean_velocity() const { return mean_velocity_; }
+  [[nodiscard]] const CellVector& mean_pressure_gradient() const { return mean_gradient_; }
+
+  // Fields at the present time over own().
+  [[nodiscard]] Array3<double> void_fraction() const;
+  [[nodiscard]] Array3<double> pressure() const;  // with the hydrostatic part [Pa]
+  [[nodiscard]] CellVector cell_velocity() const;
+  [[nodiscard]] const GasState& state() const { return state_; }
+  GasState& state() { return state_; }
+
+  // HDF5. A run that goes on from a checkpoint is bitwise that which wrote it, on as many ranks.
+  // Collective; throws Error when the file is of another grid or version.
+  void write_checkpoint(const std::string& file);
+  void read_checkpoint(const std::string& file);
+
+  // Seconds by task: "momentum", "pressure", "means", "measures".
+  [[nodiscard]] CostLedger& costs() { return costs_; }
+
+ private:
+  void step(double step, double share, GasReport& report);
+  [[nodiscard]] double next_step(double left);
+  [[nodiscard]] double courant_rate() const;
+  void fill_velocity_layers();
+  void add_to_means(double weight);
+  [[nodiscard]] Vec3 drag_impulse(double interval) const;
+  void measure(GasReport& report);
+  void require_finite() const;
+  template <class File>
+  void exchange_with(File& file);
+
+  GasInput input_;
+  Domain domain_;
+  Halo halo_;
+  Hydrostatic hydrostatic_;
+  Inflow inflow_;
+  GasState state_;
+  Predictor predictor_;
+  Projection projection_;
+  BedMeasures bed_;
+  PressureProbes probes_;
+
+  double time_ = 0;
+  bool has_void_fraction_ = false;
+  Array3<double> void_fraction_from_;  // at the interval's beginning and end
+  Array3<double> void_fraction_to_;
+  CellVector mean_velocity_;
+  CellVector mean_gradient_;
+
+  CostLedger costs_;
+  std::size_t task_momentum_;
+  std::size_t task_pressure_;
+  std::size_t task_means_;
+  std::size_t task_measures_;
+};
+
+}  // namespace gasgrain

@@ -1,0 +1,49 @@
+// The file a run goes on from. A writer and a reader with the same calls, so that one list of fields
+// serves both. The file is written beside its name and renamed when whole: a run that is killed while
+// it writes leaves the checkpoint before.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "gas_solver/grid/domain.h"
+
+namespace gasgrain {
+
+class ParallelFile;
+
+// What the two have in common: the share of a field in the file.
+class CheckpointFile {
+ public:
+  CheckpointFile(const std::string& file, const Domain& domain);
+  ~CheckpointFile();
+
+ protected:
+  // Cells (component -1), or faces with those on the far side of the domain.
+  [[nodiscard]] Int3 whole(int component) const;
+  [[nodiscard]] IndexBox share(int component) const;
+
+  std::string name_;
+  const Domain& domain_;
+  std::unique_ptr<ParallelFile> file_;
+};
+
+class CheckpointWriter : public CheckpointFile {
+ public:
+  CheckpointWriter(const std::string& file, const Domain& domain);
+  void number(const std::string& name, double value);
+  void flag(const std::string& name, bool value) { number(name, value ? 1.0 : 0.0); }
+  void field(const std::string& name, int component, const Array3<double>& values);
+  void finish();
+};
+
+class CheckpointReader : public CheckpointFile {
+ public:
+  // Throws Error when the file is of another format version or another grid.
+  CheckpointReader(const std::string& file, const Domain& domain);
+  void number(const std::string& name, double& value);
+  void flag(const std::string& name, bool& value);
+  void field(const std::string& name, int component, Array3<double>& values);
+};
+
+}  // namespace gasgrain

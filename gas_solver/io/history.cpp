@@ -1,0 +1,52 @@
+#include "gas_solver/io/history.h"
+
+#include <cstdlib>
+#include <vector>
+
+#include "coupling/base/error.h"
+
+namespace gasgrain {
+namespace {
+
+// Lines of an older run up to a time, the heading left out.
+std::vector<std::string> lines_until(const std::string& name, double time) {
+  std::vector<std::string> lines;
+  std::ifstream in(name);
+  std::string line;
+  std::getline(in, line);
+  // Times are printed with 12 digits.
+  const double last = time * (1 + 1e-11);
+  while (std::getline(in, line))
+    if (std::strtod(line.c_str(), nullptr) <= last) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace
+
+History::History(const std::string& folder, const GasInput& input, double restart_time)
+    : name_(folder + "/history.csv") {
+  std::vector<std::string> old;
+  if (restart_time >= 0) old = lines_until(name_, restart_time);
+  out_.open(name_);
+  out_ << "time_s,substeps,step_s,courant_max,pressure_iterations,continuity_residual,"
+          "mass_inflow_kg_s,mass_outflow_kg_s,backflow_faces,momentum_not_converged,"
+          "drag_impulse_x_Ns,drag_impulse_y_Ns,drag_impulse_z_Ns,bubble_diameter_m,"
+          "surface_height_m";
+  for (const double z : input.pressure_probes) out_ << fmt::format(",pressure_at_{}_m_Pa", z);
+  out_ << '\n';
+  for (const std::string& line : old) out_ << line << '\n';
+}
+
+void History::add(const GasReport& r) {
+  out_ << fmt::format("{:.12g},{},{:.6g},{:.6g},{},{:.3g},{:.9g},{:.9g},{},{},{:.9g},{:.9g},{:.9g},"
+                      "{:.6g},{:.6g}",
+                      r.time, r.substeps, r.step, r.courant_max, r.pressure_iterations,
+                      r.continuity_residual, r.mass_inflow, r.mass_outflow, r.backflow_faces,
+                      r.momentum_not_converged, r.drag_impulse[0], r.drag_impulse[1],
+                      r.drag_impulse[2], r.bubble_diameter, r.surface_height);
+  for (const double p : r.probe_pressure) out_ << fmt::format(",{:.9g}", p);
+  out_ << '\n';
+  if (!out_.flush()) fail("{}: cannot be written: is the disk full?", name_);
+}
+
+}  // namespace gasgrain

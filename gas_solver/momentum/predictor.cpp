@@ -1,0 +1,82 @@
+#include "gas_solver/momentum/predictor.h"
+
+#include <cmath>
+
+#include "gas_solver/boundary/unknown_faces.h"
+
+namespace gasgrain {
+namespace {
+
+constexpr int max_sweeps = 100;
+
+}  // namespace
+
+Predictor::Predictor(const Domain& domain, const GasInput& input, Halo& halo)
+    : domain_(domain),
+      sides_(input.sides),
+      tolerance_(input.tolerance),
+      halo_(halo),
+      assembly_(domain, input),
+      rows_(domain.box()) {}
+
+MomentumReport Predictor::predict(GasState& state, double step,
+                                  const std::vector<InflowFace>& inflow) {
+  MomentumReport report;
+  solution_ = state.velocity;
+  double scale = 0;  // squares of the velocity, components done
+  for (int d = 0; d < 3; ++d) {
+    assembly_.assemble(state, d, step, inflow, rows_);
+    bool converged = false;
+    for (int n = 0; n < max_sweeps && !converged; ++n) {
+      sweep(d, true);
+      halo_.exchange({&solution_[d]});
+      Change last = sweep(d, false);
+      halo_.exchange({&solution_[d]});
+      ++report.sweeps;
+      std::vector<double> sums{last.change, last.squares};
+      domain_.comm().sum_in_place(sums);
+      converged = sums[0] <= tolerance_ * tolerance_ * (scale + sums[1]);
+      if (converged) scale += sums[1];
+    }
+    if (!converged) ++report.not_converged;
+  }
+  for (int d = 0; d < 3; ++d) {
+    std::swap(state.velocity[d], solution_[d]);
+    fill_ghost_velocities(domain_, sides_, d, state.velocity[d]);
+  }
+  return report;
+}
+
+Predictor::Change Predictor::sweep(int component, bool forth) {
+  Array3<double>& u = solution_[component];
+  const IndexBox faces = unknown_faces(domain_, sides_, component);
+  const std::ptrdiff_t sy = u.stride(1);
+  const std::ptrdiff_t sz = u.stride(2);
+  const int nx = faces.extent(0);
+  Change sums;
+  const auto update = [&](std::ptrdiff_t o) {
+    const MomentumRow& row = rows_[o];
+    const auto& c = row.coefficient;
+    const double others = row.source + c[2] * u[o - sy] + c[3] * u[o + sy] + c[4] * u[o - sz] +
+                          c[5] * u[o + sz];
+    const double value = (others + c[0] * u[o - 1] + c[1] * u[o + 1]) * row.inverse_diagonal;
+    const double change = value - u[o];
+    u[o] = value;
+    sums.change += change * change;
+    sums.squares += value * value;
+  };
+  const int rows_y = faces.extent(1);
+  const int lines = rows_y * faces.extent(2);
+  for (int n = 0; n < lines; ++n) {
+    const int line = forth ? n : lines - 1 - n;
+    const std::ptrdiff_t first =
+        u.offset(faces.lo[0], faces.lo[1] + line % rows_y, faces.lo[2] + line / rows_y);
+    if (forth)
+      for (std::ptrdiff_t o = first; o < first + nx; ++o) update(o);
+    else
+      for (std::ptrdiff_t o = first + nx - 1; o >= first; --o) update(o);
+  }
+  return sums;
+}
+
+}  // namespace gasgrain

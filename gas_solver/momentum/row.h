@@ -1,0 +1,17 @@
+// One equation of the momentum system, for the velocity of one face:
+//   u = inverse_diagonal * (source + sum over the six neighbours of coefficient * u_neighbour).
+// A row is a cache line: a sweep reads each once.
+#pragma once
+
+#include <array>
+
+namespace gasgrain {
+
+struct alignas(64) MomentumRow {
+  // Neighbours x lo, x hi, y lo, ... (the numbering of sides).
+  std::array<double, 6> coefficient;
+  double source;
+  double inverse_diagonal;  // while a row is assembled: the diagonal itself
+};
+
+}  // namespace gasgrain

@@ -1,0 +1,35 @@
+// The Poisson equation of a step, cell by cell:
+//   sum over the faces of c_f (x_cell - x_neighbour) = source,
+// c_f = 0 on faces of given velocity; a face of given pressure has the neighbour value 0.
+#pragma once
+
+#include "gas_solver/boundary/kinds.h"
+#include "gas_solver/grid/domain.h"
+
+namespace gasgrain {
+
+struct PressureSystem {
+  explicit PressureSystem(const Domain& domain, const Sides& kinds) : sides(kinds) {
+    for (auto& c : face_coefficient) c = Array3<double>(domain.box());
+    source = Array3<double>(domain.own());
+    solution = Array3<double>(domain.box());
+  }
+  std::array<Array3<double>, 3> face_coefficient;  // all faces of the own cells
+  Array3<double> source;                           // own cells
+  Array3<double> solution;                         // own cells are set by a solver
+  Sides sides;
+  // No face has a given pressure: the solution is known but for a constant.
+  bool singular = false;
+};
+
+// The coefficient of the cell's own value.
+inline double diagonal(const PressureSystem& system, std::ptrdiff_t o) {
+  double sum = 0;
+  for (int d = 0; d < 3; ++d) {
+    const Array3<double>& c = system.face_coefficient[d];
+    sum += c[o] + c[o + c.stride(d)];
+  }
+  return sum;
+}
+
+}  // namespace gasgrain
