@@ -1,0 +1,336 @@
+#include "fix_cfd_coupling/liggghts/fix_couple_gas.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "coupling/base/error.h"
+#include "coupling/exchange/bed_measures.h"
+#include "fix_cfd_coupling/liggghts/host_error.h"
+#include "fix_cfd_coupling/liggghts/host_session.h"
+// --
+#include "atom.h"
+#include "domain.h"
+#include "force.h"
+#include "modify.h"
+#include "neigh_list.h"
+#include "neighbor.h"
+#include "pair.h"
+#include "timer.h"
+#include "universe.h"
+#include "update.h"
+#include "write_restart.h"
+
+// The library's own flags, without a header in Debian's package: the run loop looks at them after
+// every step.
+namespace LAMMPS_NS::SignalHandler {
+extern bool request_quit;
+}
+
+namespace LAMMPS_NS {
+
+using gasgrain::ExchangeRecord;
+using gasgrain::Vec3;
+
+namespace {
+
+constexpr const char* usage =
+    "fix ID all couple/gas every N [start STEP] [output DIR] EFFECTS..., for instance\n"
+    "  fix gas all couple/gas every 100 drag koch_hill pressure_gradient";
+
+// Share of the solid volume that lies under the bed height: single grains thrown above the bed are
+// no bed; with 36,500 grains this leaves out the highest 180.
+constexpr double bed_height_share = 0.995;
+
+int whole_number(const char* text, const char* keyword, long least) {
+  char* end = nullptr;
+  const long value = std::strtol(text, &end, 10);
+  if (end == text || *end != '\0' || value < least || value > std::numeric_limits<int>::max())
+    gasgrain::fail("{} {}: must be a whole number, at least {}.\n{}", keyword, text, least, usage);
+  return static_cast<int>(value);
+}
+
+}  // namespace
+
+FixCoupleGas::FixCoupleGas(LAMMPS* host, int narg, char** arg) : Fix(host, narg, arg) {
+  try {
+    read_arguments(narg, arg);
+  } catch (const gasgrain::Error& e) {
+    gasgrain::stop_everything(e.what());
+  }
+  nevery = every_;
+  vector_flag = 1;
+  size_vector = 4;
+  global_freq = 1;
+  extvector = 0;
+  restart_global = 1;
+  restart_peratom = 1;
+  grow_arrays(atom->nmax);
+  atom->add_callback(0);
+  atom->add_callback(1);
+}
+
+void FixCoupleGas::read_arguments(int narg, char** arg) {
+  if (std::strcmp(arg[1], "all") != 0)
+    gasgrain::fail("the group of couple/gas must be 'all', it is '{}': every grain displaces gas.",
+                   arg[1]);
+  int a = 3;
+  for (; a + 1 < narg; a += 2) {
+    if (std::strcmp(arg[a], "every") == 0)
+      every_ = whole_number(arg[a + 1], "every", 1);
+    else if (std::strcmp(arg[a], "start") == 0)
+      start_ = whole_number(arg[a + 1], "start", 0);
+    else if (std::strcmp(arg[a], "output") == 0)
+      output_ = arg[a + 1];
+    else
+      break;
+  }
+  if (every_ == 0) gasgrain::fail("couple/gas needs 'every N' before the effects.\n{}", usage);
+  effects_ = gasgrain::parse_effects({arg + a, arg + narg}, "couple/gas");
+  if (!gasgrain::session().local.is_root()) return;
+  std::filesystem::create_directories(output_ + "/checkpoint");
+  std::filesystem::create_directories(output_ + "/particles");
+}
+
+// The partner is met once the box is known and, in a restart, the stored state has been read.
+void FixCoupleGas::post_create() {
+  try {
+    meet_partner();
+  } catch (const gasgrain::Error& e) {
+    gasgrain::stop_everything(e.what());
+  }
+}
+
+void FixCoupleGas::meet_partner() {
+  auto& session = gasgrain::session();
+  if (session.partner == MPI_COMM_NULL)
+    gasgrain::fail(
+        "couple/gas has no partner in this launch. Use 'gasgrain run SCENE', or\n"
+        "  mpirun -np 2 gasgrain-liggghts -in in.liggghts : -np 1 gasgrain-gas gas.toml");
+  if (session.greeted)
+    gasgrain::fail("a script couples once: there is a second couple/gas line, or a 'clear'.");
+  if (domain->box_exist == 0)
+    gasgrain::fail("couple/gas must stand after create_box or read_restart.");
+  if (domain->nonperiodic == 2)
+    gasgrain::fail(
+        "the box may not follow the particles: use 'boundary f f f' (or p), not s or m.");
+  session.greeted = true;
+  gasgrain::DemScene scene;
+  scene.box_lo = Vec3(domain->boxlo[0], domain->boxlo[1], domain->boxlo[2]);
+  scene.box_hi = Vec3(domain->boxhi[0], domain->boxhi[1], domain->boxhi[2]);
+  for (int d = 0; d < 3; ++d) scene.periodic[d] = domain->periodicity[d];
+  scene.interval = every_ * update->dt;
+  scene.time =
+      last_coupled_ < 0 ? 0.0 : static_cast<double>(last_coupled_ + every_ - start_) * update->dt;
+  scene.script = "the script";
+  coupled_ =
+      std::make_unique<gasgrain::CoupledStep>(session.local, session.partner, effects_, scene);
+
+  const auto& gas = coupled_->gas();
+  std::vector<std::string> columns{"time_s",
+                                   "step",
+                                   "particles",
+                                   "bed_height_m",
+                                   "surface_height_m",
+                                   "bubble_diameter_m",
+                                   "kinetic_energy_J",
+                                   "max_overlap",
+                                   "courant",
+                                   "gas_substeps",
+                                   "pressure_iterations",
+                                   "continuity_residual",
+                                   "moved_cells",
+                                   "backflow_faces",
+                                   "mass_inflow_kg_s",
+                                   "mass_outflow_kg_s",
+                                   "ledger_residual"};
+  for (int n = 0; n < gas.probes; ++n)
+    columns.push_back(fmt::format("p_{:g}m_Pa", gas.probe_heights[n]));
+  if (session.local.is_root())
+    history_ = std::make_unique<gasgrain::HistoryFile>(output_, columns, resumed_);
+}
+
+FixCoupleGas::~FixCoupleGas() {
+  atom->delete_callback(id, 0);
+  atom->delete_callback(id, 1);
+  if (!coupled_) return;
+  const std::string ledger = coupled_->costs().json(gasgrain::session().local);
+  if (gasgrain::session().local.is_root()) {
+    std::ofstream(output_ + "/ledger.dem.json") << ledger << '\n';
+    coupled_->finish();
+  }
+}
+
+int FixCoupleGas::setmask() {
+  return FixConst::POST_FORCE | FixConst::END_OF_STEP | FixConst::POST_RUN;
+}
+
+void FixCoupleGas::init() {
+  if (atom->radius_flag == 0 || atom->rmass_flag == 0)
+    gasgrain::stop_everything("couple/gas needs spheres: 'atom_style granular' (or sphere).");
+}
+
+gasgrain::ParticleView FixCoupleGas::particles() const {
+  gasgrain::ParticleView view;
+  view.count = static_cast<std::size_t>(atom->nlocal);
+  if (atom->nlocal == 0) return view;
+  view.position = atom->x[0];
+  view.velocity = atom->v[0];
+  view.angular_velocity = atom->omega != nullptr ? atom->omega[0] : nullptr;
+  view.radius = atom->radius;
+  view.mass = atom->rmass;
+  return view;
+}
+
+bigint FixCoupleGas::step_now() const {
+  return update->ntimestep;
+}
+
+bigint FixCoupleGas::last_step() const {
+  return update->laststep;
+}
+
+bool FixCoupleGas::due(bigint step) const {
+  return (step - start_) % every_ == 0;
+}
+
+void FixCoupleGas::setup(int) {
+  guarded([&] {
+    if (resumed_ && !restored_ledger_.empty()) {
+      coupled_->resume(particles(), records_.data(), restored_ledger_);
+      restored_ledger_.clear();
+    }
+    if (gasgrain::session().local.is_root())
+      gasgrain::write_run_frame(output_, {update->firststep, update->laststep, start_, update->dt,
+                                          universe->version, effects_.text()});
+    const bigint step = update->ntimestep;
+    if (due(step)) record();
+    if (step >= start_ && due(step) && last_coupled_ != step) couple();
+    // The host uses the forces of this moment for the first half of the next step only.
+    apply_forces(first_half_booked_ ? 0.0 : 0.5);
+    first_half_booked_ = false;
+  });
+}
+
+void FixCoupleGas::post_force(int) {
+  const bigint step = update->ntimestep;
+  const bool last = step == update->laststep;
+  if (due(step)) {
+    guarded([&] {
+      record();
+      // What starts at the last step is coupled by the next run, if there is one.
+      if (step >= start_ && !last) couple();
+    });
+  }
+  apply_forces(last ? 0.5 : 1.0);
+}
+
+void FixCoupleGas::couple() {
+  const auto& local = gasgrain::session().local;
+  gasgrain::DemRegion region;
+  region.lo = Vec3(domain->sublo[0], domain->sublo[1], domain->sublo[2]);
+  region.hi = Vec3(domain->subhi[0], domain->subhi[1], domain->subhi[2]);
+  // A grain is handed to the next rank at re-neighbouring, before it has moved half the skin.
+  region.drift = neighbor->skin;
+  for (int i = 0; i < atom->nlocal; ++i)
+    region.largest_radius = std::max(region.largest_radius, atom->radius[i]);
+  region.largest_radius = local.max(region.largest_radius);
+  const double dt = update->dt;
+  const bigint step = update->ntimestep;
+  last_report_ = coupled_->begin(particles(), region, records_.data(), every_ * dt, step,
+                                 static_cast<double>(step - start_) * dt);
+  last_coupled_ = step;
+}
+
+void FixCoupleGas::apply_forces(double share_of_step) {
+  if (last_coupled_ < 0 || atom->nlocal == 0) return;
+  coupled_->apply(particles(), records_.data(), atom->f[0], share_of_step * update->dt);
+}
+
+// A line of history: the bed and the gas at this moment, before the coupling that starts here.
+void FixCoupleGas::record() {
+  if (update->ntimestep == last_recorded_) return;
+  last_recorded_ = update->ntimestep;
+  const auto& local = gasgrain::session().local;
+  gasgrain::BedMeasures bed(2, domain->boxlo[2], domain->boxhi[2]);
+  bed.add(particles());
+  local.sum_in_place(bed.values());
+  const double overlap = local.max(greatest_overlap());
+  const auto ledger = coupled_->whole_ledger(particles(), records_.data());
+  shown_ = {bed.height(bed_height_share), last_report_.bubble_diameter, ledger.residual(),
+            last_report_.courant_max};
+  if (!history_) return;
+  std::vector<double> line{static_cast<double>(update->ntimestep - start_) * update->dt,
+                           static_cast<double>(update->ntimestep),
+                           bed.count(),
+                           shown_[0],
+                           last_report_.surface_height,
+                           last_report_.bubble_diameter,
+                           bed.kinetic_energy(),
+                           overlap,
+                           last_report_.courant_max,
+                           static_cast<double>(last_report_.substeps),
+                           static_cast<double>(last_report_.pressure_iterations),
+                           last_report_.continuity_residual,
+                           static_cast<double>(last_report_.moved_cells),
+                           static_cast<double>(last_report_.backflow_faces),
+                           last_report_.mass_inflow,
+                           last_report_.mass_outflow,
+                           ledger.residual()};
+  for (int n = 0; n < coupled_->gas().probes; ++n) line.push_back(last_report_.probe_pressure[n]);
+  history_->write(line);
+}
+
+// Of grains on grains, relative to the smaller diameter; walls are not looked at.
+double FixCoupleGas::greatest_overlap() const {
+  const Pair* pair = force->pair_match("gran", 0);
+  if (pair == nullptr || pair->list == nullptr) return 0.0;
+  const NeighList& list = *pair->list;
+  double greatest = 0.0;
+  for (int n = 0; n < list.inum; ++n) {
+    const int i = list.ilist[n];
+    for (int m = 0; m < list.numneigh[i]; ++m) {
+      const int j = list.firstneigh[i][m] & NEIGHMASK;
+      const double dx = atom->x[i][0] - atom->x[j][0];
+      const double dy = atom->x[i][1] - atom->x[j][1];
+      const double dz = atom->x[i][2] - atom->x[j][2];
+      const double touch = atom->radius[i] + atom->radius[j];
+      const double squared = dx * dx + dy * dy + dz * dz;
+      if (squared >= touch * touch) continue;
+      const double overlap = touch - std::sqrt(squared);
+      greatest = std::max(greatest, overlap / (2.0 * std::min(atom->radius[i], atom->radius[j])));
+    }
+  }
+  return greatest;
+}
+
+void FixCoupleGas::end_of_step() {
+  auto& session = gasgrain::session();
+  if (session.local.max(session.stop_wanted != 0 ? 1.0 : 0.0) == 0.0) return;
+  auto name = fmt::format("{}/checkpoint/dem.{}.restart", output_, update->ntimestep);
+  WriteRestart(lmp).write(name.data());
+  SignalHandler::request_quit = true;
+}
+
+// The host's own clock, by its tasks, joins the cost ledger.
+void FixCoupleGas::post_run() {
+  auto& costs = coupled_->costs();
+  costs.charge(costs.task("run"), timer->array[TIME_LOOP]);
+  costs.charge(costs.task("pair forces"), timer->array[TIME_PAIR]);
+  costs.charge(costs.task("neighbour lists"), timer->array[TIME_NEIGHBOR]);
+  costs.charge(costs.task("DEM communication"), timer->array[TIME_COMM]);
+  costs.charge(costs.task("output"), timer->array[TIME_OUTPUT]);
+}
+
+double FixCoupleGas::compute_vector(int n) {
+  return shown_[n];
+}
+
+double FixCoupleGas::memory_usage() {
+  return static_cast<double>(records_.capacity() * sizeof(ExchangeRecord));
+}
+
+}  // namespace LAMMPS_NS

@@ -1,0 +1,96 @@
+// How the records of fix couple/gas move with the particles, between ranks and through restarts.
+#include <cstring>
+
+#include "fix_cfd_coupling/liggghts/fix_couple_gas.h"
+#include "fix_cfd_coupling/liggghts/host_error.h"
+#include "fix_cfd_coupling/liggghts/host_session.h"
+// --
+#include "atom.h"
+#include "comm.h"
+
+namespace LAMMPS_NS {
+
+using gasgrain::exchange_record_size;
+using gasgrain::ExchangeRecord;
+
+void FixCoupleGas::grow_arrays(int size) {
+  records_.resize(static_cast<std::size_t>(size));
+}
+
+void FixCoupleGas::copy_arrays(int from, int to, int) {
+  records_[to] = records_[from];
+}
+
+void FixCoupleGas::set_arrays(int particle) {
+  records_[particle] = ExchangeRecord{};
+}
+
+int FixCoupleGas::pack_exchange(int particle, double* buffer) {
+  std::memcpy(buffer, &records_[particle], sizeof(ExchangeRecord));
+  return exchange_record_size;
+}
+
+int FixCoupleGas::unpack_exchange(int particle, double* buffer) {
+  std::memcpy(static_cast<void*>(&records_[particle]), buffer, sizeof(ExchangeRecord));
+  return exchange_record_size;
+}
+
+// The host keeps the length of a fix's share in front of it.
+int FixCoupleGas::pack_restart(int particle, double* buffer) {
+  buffer[0] = exchange_record_size + 1;
+  std::memcpy(buffer + 1, &records_[particle], sizeof(ExchangeRecord));
+  return exchange_record_size + 1;
+}
+
+void FixCoupleGas::unpack_restart(int particle, int nth) {
+  const double* share = atom->extra[particle];
+  for (int n = 0; n < nth; ++n) share += static_cast<int>(share[0]);
+  std::memcpy(static_cast<void*>(&records_[particle]), share + 1, sizeof(ExchangeRecord));
+}
+
+int FixCoupleGas::size_restart(int) {
+  return exchange_record_size + 1;
+}
+
+int FixCoupleGas::maxsize_restart() {
+  return exchange_record_size + 1;
+}
+
+// Whole state: start, last coupled step, interval, the gas's last report, then the ledger of all
+// ranks. The gas writes its checkpoint of the same step at the same time. Called on every rank;
+// rank 0 has the file.
+void FixCoupleGas::write_restart(FILE* file) {
+  const auto ledger = coupled_->whole_ledger(particles(), records_.data()).values();
+  if (comm->me != 0) return;
+  guarded([&] {
+    if (last_coupled_ >= 0) coupled_->checkpoint(step_now());
+  });
+  // Within a run the force of this step is booked whole; its second half is still to come and will
+  // be brought by the resumed run's first forces.
+  const bool half_to_come = step_now() != last_step();
+  StoredState state{start_, last_coupled_, every_, half_to_come ? 1 : 0, last_report_};
+  const int bytes = static_cast<int>(sizeof(state) + ledger.size() * sizeof(double));
+  fwrite(&bytes, sizeof(int), 1, file);
+  fwrite(&state, sizeof(state), 1, file);
+  fwrite(ledger.data(), sizeof(double), ledger.size(), file);
+}
+
+void FixCoupleGas::restart(char* data) {
+  StoredState state;
+  std::memcpy(&state, data, sizeof(state));
+  if (state.every != every_)
+    gasgrain::stop_everything(fmt::format(
+        "the checkpoint was written with 'every {}', the script has 'every {}': keep it.",
+        state.every, every_));
+  start_ = state.start;
+  last_coupled_ = state.last_coupled;
+  first_half_booked_ = state.half_to_come != 0;
+  last_report_ = state.last_report;
+  // The host hands over the bytes without their number; the effects fix it.
+  restored_ledger_.resize(gasgrain::Ledger(effects_).values().size());
+  std::memcpy(restored_ledger_.data(), data + sizeof(state),
+              restored_ledger_.size() * sizeof(double));
+  resumed_ = true;
+}
+
+}  // namespace LAMMPS_NS

@@ -1,0 +1,35 @@
+// Reaches private members by the one legal way: the arguments of an explicit template instantiation
+// may name them.
+#include "fix_cfd_coupling/liggghts/host_access.h"
+
+#include "input.h"
+#include "modify.h"
+
+namespace gasgrain {
+
+struct FixMapTag {
+  using Type = std::map<std::string, FixCreator>* LAMMPS_NS::Modify::*;
+  friend Type member_of(FixMapTag);
+};
+struct CommandMapTag {
+  using Type = std::map<std::string, CommandCreator>* LAMMPS_NS::Input::*;
+  friend Type member_of(CommandMapTag);
+};
+
+// The friend must live in namespace gasgrain itself: no unnamed namespace around it.
+template <class Tag, typename Tag::Type member>
+struct Reveal {
+  friend typename Tag::Type member_of(Tag) { return member; }
+};
+template struct Reveal<FixMapTag, &LAMMPS_NS::Modify::fix_map>;
+template struct Reveal<CommandMapTag, &LAMMPS_NS::Input::command_map>;
+
+std::map<std::string, FixCreator>& fix_map(LAMMPS_NS::LAMMPS& host) {
+  return *(host.modify->*member_of(FixMapTag{}));
+}
+
+std::map<std::string, CommandCreator>& command_map(LAMMPS_NS::LAMMPS& host) {
+  return *(host.input->*member_of(CommandMapTag{}));
+}
+
+}  // namespace gasgrain

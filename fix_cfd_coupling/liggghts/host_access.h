@@ -1,0 +1,19 @@
+// The host's maps of styles and commands; they are private members of its classes.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "lammps.h"
+// --
+#include "fix.h"
+
+namespace gasgrain {
+
+using FixCreator = LAMMPS_NS::Fix* (*)(LAMMPS_NS::LAMMPS*, int, char**);
+using CommandCreator = void (*)(LAMMPS_NS::LAMMPS*, int, char**);
+
+std::map<std::string, FixCreator>& fix_map(LAMMPS_NS::LAMMPS& host);
+std::map<std::string, CommandCreator>& command_map(LAMMPS_NS::LAMMPS& host);
+
+}  // namespace gasgrain

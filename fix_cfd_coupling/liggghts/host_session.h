@@ -1,0 +1,24 @@
+// What the styles of one host process share: the place in the launch and the wish to stop.
+#pragma once
+
+#include <mpi.h>
+
+#include <csignal>
+
+#include "coupling/base/communicator.h"
+
+namespace gasgrain {
+
+struct HostSession {
+  Communicator local;                          // the DEM ranks
+  MPI_Comm partner = MPI_COMM_NULL;            // to the gas ranks; null when the DEM runs alone
+  bool greeted = false;                        // a fix couple/gas has met the partner
+  volatile std::sig_atomic_t stop_wanted = 0;  // SIGUSR1 arrived: checkpoint and end
+};
+
+inline HostSession& session() {
+  static HostSession the_session;
+  return the_session;
+}
+
+}  // namespace gasgrain

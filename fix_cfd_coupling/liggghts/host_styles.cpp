@@ -1,0 +1,35 @@
+// Registers our styles with the host: the LIST of what a script may name.
+//
+// The library calls LAMMPS::post_create() from the constructor and from the command `clear`,
+// through the dynamic linker: the executable's definition comes first, calls the library's own,
+// then adds.
+#include <dlfcn.h>
+
+#include "fix_cfd_coupling/liggghts/fix_couple_gas.h"
+#include "fix_cfd_coupling/liggghts/host_access.h"
+#include "fix_cfd_coupling/liggghts/host_error.h"
+
+namespace {
+
+template <class FixStyle>
+LAMMPS_NS::Fix* make_fix(LAMMPS_NS::LAMMPS* host, int narg, char** arg) {
+  return new FixStyle(host, narg, arg);
+}
+
+void register_styles(LAMMPS_NS::LAMMPS& host) {
+  gasgrain::fix_map(host)["couple/gas"] = &make_fix<LAMMPS_NS::FixCoupleGas>;
+}
+
+}  // namespace
+
+void LAMMPS_NS::LAMMPS::post_create() {
+  using PostCreate = void (*)(LAMMPS*);
+  static const auto library_post_create =
+      reinterpret_cast<PostCreate>(dlsym(RTLD_NEXT, "_ZN9LAMMPS_NS6LAMMPS11post_createEv"));
+  if (library_post_create == nullptr)
+    gasgrain::stop_everything(
+        "this libliggghts has no LAMMPS::post_create: rebuild gasgrain with it.");
+  library_post_create(this);
+  gasgrain::set_host(this);
+  register_styles(*this);
+}
