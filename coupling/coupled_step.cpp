@@ -51,12 +51,12 @@ CoupledStep::CoupledStep(const Communicator& local, MPI_Comm partner, const Effe
       gas_(meet(local, partner, effects, scene)),
       frame_{grid_of(gas_), {}},
       ledger_(effects),
-      cost_deposit_(costs_.task("void fraction")),
-      cost_drag_(costs_.task("drag law and deposit")),
-      cost_transport_(costs_.task("transport")),
-      cost_wait_(costs_.task("waiting for the gas")),
-      cost_sample_(costs_.task("sampling")),
-      cost_forces_(costs_.task("gas forces")) {}
+      cost_deposit_(costs_.task("coupling: void fraction")),
+      cost_drag_(costs_.task("coupling: drag law")),
+      cost_transport_(costs_.task("coupling: transport")),
+      cost_wait_(costs_.task("coupling: waiting for the gas")),
+      cost_sample_(costs_.task("coupling: sampling")),
+      cost_forces_(costs_.task("coupling: forces")) {}
 
 IndexBox CoupledStep::tile_of(const DemRegion& region) const {
   const BoxGrid& grid = frame_.grid;

@@ -9,7 +9,9 @@
 namespace gasgrain {
 namespace {
 
-std::vector<std::string> side_words() { return {side_names.begin(), side_names.end()}; }
+std::vector<std::string> side_words() {
+  return {side_names.begin(), side_names.end()};
+}
 
 // False when the grid is at fault: what must fit into it is then not checked against it.
 bool read_grid(InputTable table, GasInput& input) {
@@ -76,8 +78,8 @@ bool contains(const Rectangle& outer, const Rectangle& inner) {
   bool inside = true;
   for (int d = 0; d < 2; ++d) {
     const double round_off = 1e-9 * (outer.hi[d] - outer.lo[d]);
-    inside = inside && inner.lo[d] >= outer.lo[d] - round_off &&
-             inner.hi[d] <= outer.hi[d] + round_off;
+    inside =
+        inside && inner.lo[d] >= outer.lo[d] - round_off && inner.hi[d] <= outer.hi[d] + round_off;
   }
   return inside;
 }
@@ -106,7 +108,8 @@ Outline read_outline(InputTable& table, const Rectangle& side) {
   const auto two = [&](const char* key, std::vector<double>& values) {
     if (values.size() == 2) return;
     if (table.has(key))
-      table.fault(key, fmt::format("inflow.{} must have two values, in the plane of its side.", key));
+      table.fault(key,
+                  fmt::format("inflow.{} must have two values, in the plane of its side.", key));
     values = middle;
   };
   two("center", center);
@@ -185,7 +188,8 @@ void read_solver(InputTable table, GasInput& input) {
 }
 
 void read_measures(InputTable bed, InputTable output, bool grid_known, GasInput& input) {
-  input.surface_solids = bed.number("surface_solids", input.surface_solids, Range::within(0, 1), "1");
+  input.surface_solids =
+      bed.number("surface_solids", input.surface_solids, Range::within(0, 1), "1");
   input.bubble_void_fraction =
       bed.number("bubble_void_fraction", input.bubble_void_fraction, Range::within(0, 1), "1");
   input.output_every = output.number("every", input.output_every, Range::not_negative(), "s");
@@ -207,8 +211,7 @@ bool GasInput::has_outlet() const {
 }
 
 void GasInput::join_periodic_sides() {
-  for (int axis = 0; axis < 3; ++axis)
-    grid.periodic[axis] = sides[side_of(axis, false)]->periodic;
+  for (int axis = 0; axis < 3; ++axis) grid.periodic[axis] = sides[side_of(axis, false)]->periodic;
 }
 
 GasInput read_gas_input(const std::string& file, bool alone) {

@@ -21,9 +21,9 @@ struct GasInput {
   double viscosity = 18.27e-6;    // [Pa s]  air at 291 K
   Vec3 gravity{0.0, 0.0, -9.81};  // [m/s2]
 
-  double step = 1e-3;        // greatest step of time [s]
-  double courant_max = 20;   // greatest Courant number
-  double end = 0;            // end of a run without particles [s]
+  double step = 1e-3;       // greatest step of time [s]
+  double courant_max = 20;  // greatest Courant number
+  double end = 0;           // end of a run without particles [s]
 
   Sides sides{&wall_no_slip, &wall_no_slip, &wall_no_slip,
               &wall_no_slip, &wall_no_slip, &wall_no_slip};
@@ -37,7 +37,7 @@ struct GasInput {
   double surface_solids = 0.1;
   double bubble_void_fraction = 0.8;
 
-  double output_every = 0;             // [s], 0: no snapshots
+  double output_every = 0;              // [s], 0: no snapshots
   std::vector<double> pressure_probes;  // heights z [m]
 
   [[nodiscard]] bool has_outlet() const;

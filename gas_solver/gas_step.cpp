@@ -5,13 +5,12 @@
 
 #include "coupling/base/error.h"
 #include "gas_solver/io/checkpoint.h"
+#include "gas_solver/operators/require_finite.h"
 
 namespace gasgrain {
 namespace {
 
-CellVector zero_vector(const IndexBox& box) {
-  return {Array3<double>(box), Array3<double>(box), Array3<double>(box)};
-}
+constexpr long max_steps = 1000000;  // of an interval
 
 GasInput joined(GasInput input) {
   input.join_periodic_sides();
@@ -29,18 +28,15 @@ GasSolver::GasSolver(const GasInput& input, const Communicator& comm)
       state_(domain_.box()),
       predictor_(domain_, input_, halo_),
       projection_(domain_, input_, halo_),
-      bed_(domain_, input_.surface_solids, input_.bubble_void_fraction),
+      front_view_(domain_, input_.surface_solids, input_.bubble_void_fraction),
       probes_(domain_, input_.pressure_probes),
+      means_(domain_, input_.sides, hydrostatic_.gradient()),
       void_fraction_from_(domain_.box(), 1.0),
       void_fraction_to_(domain_.box(), 1.0),
-      mean_velocity_(zero_vector(domain_.own())),
-      mean_gradient_(zero_vector(domain_.own())),
       task_momentum_(costs_.task("momentum")),
       task_pressure_(costs_.task("pressure")),
       task_means_(costs_.task("means")),
-      task_measures_(costs_.task("measures")) {
-  for (int d = 0; d < 3; ++d) mean_gradient_[d].fill(hydrostatic_.gradient()[d]);
-}
+      task_measures_(costs_.task("measures")) {}
 
 void GasSolver::set_void_fraction(const Array3<double>& eps) {
   for_each_cell(own(), [&](int i, int j, int k) { void_fraction_to_(i, j, k) = eps(i, j, k); });
@@ -65,28 +61,34 @@ void GasSolver::set_drag(const Array3<double>& coefficient, const CellVector& so
 }
 
 GasReport GasSolver::advance(double interval) {
+  if (!(interval > 0))
+    fail("the gas cannot advance by {} s: the interval must be positive.", interval);
   GasReport report;
   report.step = interval;
-  for (int d = 0; d < 3; ++d) {
-    mean_velocity_[d].fill(0.0);
-    mean_gradient_[d].fill(0.0);
-  }
+  means_.clear();
   const double begin = time_;
   double done = 0;
   while (done < interval) {
     const double left = interval - done;
     const double wanted = next_step(left);
+    if (left > max_steps * wanted)
+      fail(
+          "at t = {:.9g} s the gas needs more than {} steps for the {:.3g} s that are left of an "
+          "interval: [time] step = {} s or courant_max = {} is too small, or the flow has run away "
+          "(greatest |u| / h = {:.3g} 1/s).",
+          time_, max_steps, left, input_.step, input_.courant_max, courant_rate());
     // A last step takes all that is left, so that no remainder of round-off follows it.
     const int steps = static_cast<int>(std::ceil(left / wanted * (1 - 1e-12)));
     const double dt = steps <= 1 ? left : left / steps;
     done = steps <= 1 ? interval : done + dt;
     time_ = begin + done;
     step(dt, done / interval, report);
-    add_to_means(dt / interval);
+    const Stopwatch watch(costs_, task_means_);
+    means_.add(state_, dt / interval);
   }
   void_fraction_from_ = void_fraction_to_;
   report.time = time_;
-  report.drag_impulse = drag_impulse(interval);
+  report.drag_impulse = means_.drag_force(state_) * interval;
   measure(report);
   return report;
 }
@@ -94,8 +96,7 @@ GasReport GasSolver::advance(double interval) {
 void GasSolver::step(double dt, double share, GasReport& report) {
   std::swap(state_.void_fraction_before, state_.void_fraction);
   for (std::size_t n = 0; n < state_.void_fraction.size(); ++n)
-    state_.void_fraction[n] =
-        (1 - share) * void_fraction_from_[n] + share * void_fraction_to_[n];
+    state_.void_fraction[n] = (1 - share) * void_fraction_from_[n] + share * void_fraction_to_[n];
   const std::vector<InflowFace>& inflow = inflow_.at(time_);
   for (const InflowFace& face : inflow)
     state_.velocity[axis_of(face.side)](face.face[0], face.face[1], face.face[2]) =
@@ -108,7 +109,7 @@ void GasSolver::step(double dt, double share, GasReport& report) {
   }
   const Stopwatch watch(costs_, task_pressure_);
   const ProjectionReport projection = projection_.project(state_, dt, inflow);
-  require_finite();
+  require_finite(domain_, state_, time_);
   report.substeps += 1;
   report.step = std::min(report.step, dt);
   report.courant_max = std::max(report.courant_max, dt * courant_rate());
@@ -145,74 +146,12 @@ double GasSolver::next_step(double left) {
   return std::min({input_.step, left, rate > 0 ? input_.courant_max / rate : left});
 }
 
-void GasSolver::add_to_means(double weight) {
-  const Stopwatch watch(costs_, task_means_);
-  const Array3<double>& p = state_.pressure;
-  for (int d = 0; d < 3; ++d) {
-    const Array3<double>& u = state_.velocity[d];
-    const std::ptrdiff_t s = u.stride(d);
-    const double per_h = 1.0 / grid().spacing()[d];
-    const double rest = hydrostatic_.gradient()[d];
-    const bool lo = domain_.touches(side_of(d, false));
-    const bool hi = domain_.touches(side_of(d, true));
-    const bool lo_given = lo && input_.sides[side_of(d, false)]->normal_velocity_given;
-    const bool hi_given = hi && input_.sides[side_of(d, true)]->normal_velocity_given;
-    for_each_cell(own(), [&](int i, int j, int k) {
-      const auto o = u.offset(i, j, k);
-      const int n = d == 0 ? i : (d == 1 ? j : k);
-      mean_velocity_[d](i, j, k) += weight * 0.5 * (u[o] + u[o + s]);
-      const bool first = lo && n == own().lo[d];
-      const bool last = hi && n == own().hi[d] - 1;
-      double below = (first ? 2.0 * p[o] : p[o] - p[o - s]) * per_h;
-      double above = (last ? -2.0 * p[o] : p[o + s] - p[o]) * per_h;
-      if (first && lo_given) below = last && hi_given ? 0.0 : above;
-      if (last && hi_given) above = below;
-      mean_gradient_[d](i, j, k) += weight * (0.5 * (below + above) + rest);
-    });
-  }
-}
-
-Vec3 GasSolver::drag_impulse(double interval) const {
-  Vec3 force = Vec3::Zero();
-  for (int d = 0; d < 3; ++d)
-    for_each_cell(own(), [&](int i, int j, int k) {
-      force[d] += state_.drag_coefficient(i, j, k) * mean_velocity_[d](i, j, k) -
-                  state_.drag_source[d](i, j, k);
-    });
-  return domain_.comm().sum(force) * grid().cell_volume() * interval;
-}
-
 void GasSolver::measure(GasReport& report) {
   const Stopwatch watch(costs_, task_measures_);
   report.probe_pressure = probes_.measure(state_.pressure, hydrostatic_, input_.outlet_pressure);
-  const BedShape bed = bed_.measure(state_.void_fraction);
+  const BedShape bed = front_view_.measure(state_.void_fraction);
   report.surface_height = bed.surface_height;
   report.bubble_diameter = bed.bubble_diameter;
-}
-
-// Throws the same Error on every rank.
-void GasSolver::require_finite() const {
-  constexpr double none = 1e300;
-  const Int3& cells = grid().cells;
-  double worst = none;  // number of the first cell at fault
-  for_each_cell(own(), [&](int i, int j, int k) {
-    const auto o = state_.pressure.offset(i, j, k);
-    const double sum = state_.pressure[o] + state_.velocity[0][o] + state_.velocity[1][o] +
-                       state_.velocity[2][o];
-    if (!std::isfinite(sum))
-      worst = std::min(worst, i + static_cast<double>(cells[0]) * (j + static_cast<double>(cells[1]) * k));
-  });
-  worst = domain_.comm().min(worst);
-  if (worst == none) return;
-  const long number = static_cast<long>(worst);
-  const Int3 at{static_cast<int>(number % cells[0]), static_cast<int>(number / cells[0] % cells[1]),
-                static_cast<int>(number / cells[0] / cells[1])};
-  const Vec3 x = grid().lo + grid().spacing().cwiseProduct(Vec3(at[0] + 0.5, at[1] + 0.5, at[2] + 0.5));
-  fail(
-      "the gas velocity or pressure in cell ({}, {}, {}) at x = {:.6g}, y = {:.6g}, z = {:.6g} m is "
-      "not finite at t = {:.9g} s. Lower [time] step or courant_max, or look for a void fraction or "
-      "drag that is not finite there.",
-      at[0], at[1], at[2], x[0], x[1], x[2], time_);
 }
 
 void GasSolver::write_checkpoint(const std::string& file) {
@@ -225,9 +164,9 @@ void GasSolver::write_checkpoint(const std::string& file) {
 void GasSolver::read_checkpoint(const std::string& file) {
   CheckpointReader in(file, domain_);
   exchange_with(in);
-  for (Array3<double>* field : {&state_.void_fraction, &state_.drag_coefficient, &state_.pressure,
-                                &state_.drag_source[0], &state_.drag_source[1],
-                                &state_.drag_source[2]}) {
+  for (Array3<double>* field :
+       {&state_.void_fraction, &state_.drag_coefficient, &state_.pressure, &state_.drag_source[0],
+        &state_.drag_source[1], &state_.drag_source[2]}) {
     halo_.exchange({field});
     fill_ghost_cells(domain_, *field);
   }
@@ -250,14 +189,16 @@ void GasSolver::exchange_with(File& file) {
     const char axis = "xyz"[d];
     file.field(std::string("drag_source_") + axis, of_cells, state_.drag_source[d]);
     file.field(std::string("velocity_") + axis, d, state_.velocity[d]);
-    file.field(std::string("mean_velocity_") + axis, of_cells, mean_velocity_[d]);
-    file.field(std::string("mean_pressure_gradient_") + axis, of_cells, mean_gradient_[d]);
+    file.field(std::string("mean_velocity_") + axis, of_cells, means_.velocity[d]);
+    file.field(std::string("mean_pressure_gradient_") + axis, of_cells,
+               means_.pressure_gradient[d]);
   }
 }
 
 Array3<double> GasSolver::void_fraction() const {
   Array3<double> field(own());
-  for_each_cell(own(), [&](int i, int j, int k) { field(i, j, k) = state_.void_fraction(i, j, k); });
+  for_each_cell(own(),
+                [&](int i, int j, int k) { field(i, j, k) = state_.void_fraction(i, j, k); });
   return field;
 }
 
@@ -270,7 +211,7 @@ Array3<double> GasSolver::pressure() const {
 }
 
 CellVector GasSolver::cell_velocity() const {
-  CellVector field = zero_vector(own());
+  CellVector field{Array3<double>(own()), Array3<double>(own()), Array3<double>(own())};
   for (int d = 0; d < 3; ++d) {
     const Array3<double>& u = state_.velocity[d];
     for_each_cell(own(), [&](int i, int j, int k) {

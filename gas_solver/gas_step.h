@@ -1,8 +1,9 @@
-// The gas solver as its users see it: lend it void fraction and drag, let it advance, take means back.
+// The gas solver as its users see it: lend it void fraction and drag, let it advance, take means
+// back.
 //
-// A step of time, in order: void fraction and inflow of its end; prediction of the velocity with the
-// old pressure; projection, which carries the drag implicitly; sums for the means. An interval of the
-// coupling is split into equal steps that respect [time] step and courant_max.
+// A step of time, in order: void fraction and inflow of its end; prediction of the velocity with
+// the old pressure; projection, which carries the drag implicitly; sums for the means. An interval
+// of the coupling is split into equal steps that respect [time] step and courant_max.
 #pragma once
 
 #include <array>
@@ -15,7 +16,8 @@
 #include "gas_solver/grid/gas_state.h"
 #include "gas_solver/grid/halo.h"
 #include "gas_solver/grid/hydrostatic.h"
-#include "gas_solver/measures/bed.h"
+#include "gas_solver/measures/front_view.h"
+#include "gas_solver/measures/interval_means.h"
 #include "gas_solver/measures/probes.h"
 #include "gas_solver/momentum/predictor.h"
 #include "gas_solver/pressure/projection.h"
@@ -26,13 +28,13 @@ namespace gasgrain {
 struct GasReport {
   double time = 0;  // at the interval's end [s]
   int substeps = 0;
-  double step = 0;                 // shortest of them [s]
-  double courant_max = 0;          // greatest |u| dt / h
-  int pressure_iterations = 0;     // sum
-  double continuity_residual = 0;  // greatest of a cell, relative to the flow through the grid
-  double mass_inflow = 0;          // [kg/s]
-  double mass_outflow = 0;         // [kg/s]
-  long backflow_faces = 0;         // outlet faces where gas comes in
+  double step = 0;                  // shortest of them [s]
+  double courant_max = 0;           // greatest |u| dt / h
+  int pressure_iterations = 0;      // sum
+  double continuity_residual = 0;   // greatest of a cell, relative to the flow through the grid
+  double mass_inflow = 0;           // [kg/s]
+  double mass_outflow = 0;          // [kg/s]
+  long backflow_faces = 0;          // outlet faces where gas comes in
   long momentum_not_converged = 0;  // components that missed the tolerance, sum
   // What the gas lost to the grains by drag [N s]: dt sum of (K u - S) V with the mean velocity.
   Vec3 drag_impulse = Vec3::Zero();
@@ -40,8 +42,6 @@ struct GasReport {
   double bubble_diameter = 0;          // [m]
   double surface_height = 0;           // z [m]
 };
-
-using CellVector = std::array<Array3<double>, 3>;
 
 class GasSolver {
  public:
@@ -61,11 +61,11 @@ class GasSolver {
   // Collective.
   GasReport advance(double interval);
 
-  // Means of the last interval over own(). A velocity is the mean of a cell's two faces, those on
-  // sides included. A pressure gradient (gravity's included) is so too; a face of given velocity
-  // takes that of the cell's opposite face, an outlet face its own to the outlet's pressure.
-  [[nodiscard]] const CellVector& mean_velocity() const { return mean_velocity_; }
-  [[nodiscard]] const CellVector& mean_pressure_gradient() const { return mean_gradient_; }
+  // Means of the last interval over own(), see interval_means.h.
+  [[nodiscard]] const CellVector& mean_velocity() const { return means_.velocity; }
+  [[nodiscard]] const CellVector& mean_pressure_gradient() const {
+    return means_.pressure_gradient;
+  }
 
   // Fields at the present time over own().
   [[nodiscard]] Array3<double> void_fraction() const;
@@ -87,10 +87,7 @@ class GasSolver {
   [[nodiscard]] double next_step(double left);
   [[nodiscard]] double courant_rate() const;
   void fill_velocity_layers();
-  void add_to_means(double weight);
-  [[nodiscard]] Vec3 drag_impulse(double interval) const;
   void measure(GasReport& report);
-  void require_finite() const;
   template <class File>
   void exchange_with(File& file);
 
@@ -102,15 +99,14 @@ class GasSolver {
   GasState state_;
   Predictor predictor_;
   Projection projection_;
-  BedMeasures bed_;
+  FrontView front_view_;
   PressureProbes probes_;
+  IntervalMeans means_;
 
   double time_ = 0;
   bool has_void_fraction_ = false;
   Array3<double> void_fraction_from_;  // at the interval's beginning and end
   Array3<double> void_fraction_to_;
-  CellVector mean_velocity_;
-  CellVector mean_gradient_;
 
   CostLedger costs_;
   std::size_t task_momentum_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace gasgrain {
 
@@ -17,6 +18,11 @@ std::size_t CostLedger::task(const std::string& name) {
 double CostLedger::seconds(const std::string& name) const {
   const auto found = std::find(names_.begin(), names_.end(), name);
   return found == names_.end() ? 0.0 : seconds_[static_cast<std::size_t>(found - names_.begin())];
+}
+
+double CostLedger::unnamed() const {
+  const double named = std::accumulate(seconds_.begin(), seconds_.end(), 0.0) - seconds(total);
+  return seconds(total) - named;
 }
 
 std::string CostLedger::json(const Communicator& comm) const {

@@ -18,6 +18,11 @@ class CostLedger {
   void charge(std::size_t task, double seconds) { seconds_[task] += seconds; }
   [[nodiscard]] double seconds(const std::string& name) const;
 
+  // The task that all others are parts of, where somebody times the whole.
+  static constexpr const char* total = "total";
+  // Seconds of the total that no other task has been charged with.
+  [[nodiscard]] double unnamed() const;
+
   // Mean and greatest over the ranks of a group, as a JSON object
   //   {"ranks": n, "tasks": {"name": {"mean_s": .., "max_s": ..}, ...}}.
   // Collective; every rank must have made the same tasks in the same order.

@@ -54,6 +54,7 @@ class FixCoupleGas : public Fix {
  private:
   // What a restart file holds beside the records of the particles; the ledger's sums follow it.
   struct StoredState {
+    bigint format;
     bigint start;
     bigint last_coupled;
     int every;

@@ -13,6 +13,13 @@ namespace LAMMPS_NS {
 using gasgrain::exchange_record_size;
 using gasgrain::ExchangeRecord;
 
+namespace {
+
+// Raised with every change of StoredState.
+constexpr bigint stored_format = 1;
+
+}  // namespace
+
 void FixCoupleGas::grow_arrays(int size) {
   records_.resize(static_cast<std::size_t>(size));
 }
@@ -68,7 +75,8 @@ void FixCoupleGas::write_restart(FILE* file) {
   // Within a run the force of this step is booked whole; its second half is still to come and will
   // be brought by the resumed run's first forces.
   const bool half_to_come = step_now() != last_step();
-  StoredState state{start_, last_coupled_, every_, half_to_come ? 1 : 0, last_report_};
+  StoredState state{stored_format,        start_,      last_coupled_, every_,
+                    half_to_come ? 1 : 0, last_report_};
   const int bytes = static_cast<int>(sizeof(state) + ledger.size() * sizeof(double));
   fwrite(&bytes, sizeof(int), 1, file);
   fwrite(&state, sizeof(state), 1, file);
@@ -78,6 +86,9 @@ void FixCoupleGas::write_restart(FILE* file) {
 void FixCoupleGas::restart(char* data) {
   StoredState state;
   std::memcpy(&state, data, sizeof(state));
+  if (state.format != stored_format)
+    gasgrain::stop_everything(
+        "the checkpoint is of another version of gasgrain: start the run anew.");
   if (state.every != every_)
     gasgrain::stop_everything(fmt::format(
         "the checkpoint was written with 'every {}', the script has 'every {}': keep it.",

@@ -1,7 +1,8 @@
 // Fills the layers outside of the domain, after the halo. Cells there repeat the cell inside. Faces
 // along a side mirror the face inside with its sign turned where the gas sticks to the side, and
-// repeat it elsewhere; beyond a face on the side they repeat that face. All layers of one place hold
-// the same value, so that a limiter which looks outside finds no slope and falls back to upwind.
+// repeat it elsewhere; beyond a face on the side they repeat that face. All layers of one place
+// hold the same value, so that a limiter which looks outside finds no slope and falls back to
+// upwind.
 #pragma once
 
 #include "gas_solver/boundary/kinds.h"

@@ -1,9 +1,9 @@
 // Inflow through patches of the sides, which may be smaller than a face.
 //
 // A patch is clear of grains (its void fraction is 1): it lets the mass flux rho f U through a face
-// of which it covers the fraction f at the velocity U, and this mass carries the TRUE velocity U, not
-// f U. A nozzle smaller than a cell hence brings its mass flow m and its momentum m U both in full; a
-// face that only knew f U would bring f m U and lose most of a thin jet's momentum.
+// of which it covers the fraction f at the velocity U, and this mass carries the TRUE velocity U,
+// not f U. A nozzle smaller than a cell hence brings its mass flow m and its momentum m U both in
+// full; a face that only knew f U would bring f m U and lose most of a thin jet's momentum.
 //
 // The fractions are exact areas, scaled so that they sum to the patch's area: the mass flow is the
 // one asked for. A patch may start with a ramp, linear in time from 0.

@@ -25,8 +25,8 @@ double integral_of_circle(double x, double r) {
 }
 
 // Area of the circle of radius r around the origin within a rectangle. The strip between two
-// abscissae where the circle crosses no edge of the rectangle is bounded above by either the edge or
-// the circle, and so below: each such strip is integrated in closed form.
+// abscissae where the circle crosses no edge of the rectangle is bounded above by either the edge
+// or the circle, and so below: each such strip is integrated in closed form.
 double circle_in_rectangle(double r, const Rectangle& box) {
   const double x0 = std::max(box.lo[0], -r);
   const double x1 = std::min(box.hi[0], r);
@@ -56,11 +56,15 @@ std::array<double, 2> center(const Rectangle& r) {
   return {0.5 * (r.lo[0] + r.hi[0]), 0.5 * (r.lo[1] + r.hi[1])};
 }
 
-double radius(const Outline& circle) { return 0.5 * (circle.bounds.hi[0] - circle.bounds.lo[0]); }
+double radius(const Outline& circle) {
+  return 0.5 * (circle.bounds.hi[0] - circle.bounds.lo[0]);
+}
 
 }  // namespace
 
-double Rectangle::area() const { return (hi[0] - lo[0]) * (hi[1] - lo[1]); }
+double Rectangle::area() const {
+  return (hi[0] - lo[0]) * (hi[1] - lo[1]);
+}
 
 double Outline::area() const {
   return round ? pi * radius(*this) * radius(*this) : bounds.area();

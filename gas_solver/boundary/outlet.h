@@ -1,10 +1,10 @@
 // A side open to gas at rest of a given pressure.
 //
-// The face's velocity is an unknown of the momentum equation over the half cell inside the side. Gas
-// that leaves takes its own momentum along (upwind). Gas that comes back enters normal to the face,
-// its velocity along the side being 0, and carries half of the face's velocity: with the flux F [kg/(m2 s)]
-// this costs F u / 2 = rho u^2 / 2, the pressure that draws gas out of rest (Bernoulli). The term
-// opposes the flow whatever its size, so that backflow cannot feed itself.
+// The face's velocity is an unknown of the momentum equation over the half cell inside the side.
+// Gas that leaves takes its own momentum along (upwind). Gas that comes back enters normal to the
+// face, its velocity along the side being 0, and carries half of the face's velocity: with the flux
+// F [kg/(m2 s)] this costs F u / 2 = rho u^2 / 2, the pressure that draws gas out of rest
+// (Bernoulli). The term opposes the flow whatever its size, so that backflow cannot feed itself.
 #pragma once
 
 #include "gas_solver/boundary/kind.h"

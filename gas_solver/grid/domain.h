@@ -4,8 +4,8 @@
 // x_d = lo_d + i h_d. A rank holds the faces of its cells' low sides; where its box ends at a side
 // of the domain that is not periodic, it also holds the face of that side.
 //
-// Every field, of cells and of faces, is an Array3 over the same box(): the own cells and two layers
-// around them, so that one offset and one set of strides address all fields.
+// Every field, of cells and of faces, is an Array3 over the same box(): the own cells and two
+// layers around them, so that one offset and one set of strides address all fields.
 #pragma once
 
 #include <string_view>
@@ -23,9 +23,15 @@ inline constexpr int ghost_layers = 2;  // the limiter looks two faces upwind
 inline constexpr int side_count = 6;
 inline constexpr std::array<std::string_view, side_count> side_names{"x_lo", "x_hi", "y_lo",
                                                                      "y_hi", "z_lo", "z_hi"};
-constexpr int side_of(int axis, bool high) { return 2 * axis + (high ? 1 : 0); }
-constexpr int axis_of(int side) { return side / 2; }
-constexpr bool is_high(int side) { return side % 2 == 1; }
+constexpr int side_of(int axis, bool high) {
+  return 2 * axis + (high ? 1 : 0);
+}
+constexpr int axis_of(int side) {
+  return side / 2;
+}
+constexpr bool is_high(int side) {
+  return side % 2 == 1;
+}
 // The two axes that lie in a side, in axis order.
 constexpr std::array<int, 2> plane_axes(int axis) {
   return {axis == 0 ? 1 : 0, axis == 2 ? 1 : 2};

@@ -7,6 +7,8 @@
 
 namespace gasgrain {
 
+using CellVector = std::array<Array3<double>, 3>;
+
 struct GasState {
   explicit GasState(const IndexBox& box)
       : void_fraction(box, 1.0),
@@ -21,7 +23,8 @@ struct GasState {
   Array3<double> void_fraction_before;        // eps at its beginning
   Array3<double> drag_coefficient;            // K [kg/(m3 s)]
   std::array<Array3<double>, 3> drag_source;  // S [N/m3]
-  Array3<double> pressure;  // p minus the hydrostatic pressure of gas at rest [Pa], see hydrostatic.h
+  Array3<double>
+      pressure;  // p minus the hydrostatic pressure of gas at rest [Pa], see hydrostatic.h
   // Faces.
   std::array<Array3<double>, 3> velocity;   // u, interstitial [m/s]
   std::array<Array3<double>, 3> mass_flux;  // eps rho u [kg/(m2 s)]

@@ -30,7 +30,7 @@ class Hydrostatic {
     const Vec3 center = grid_.lo + grid_.spacing().cwiseProduct(Vec3(i + 0.5, j + 0.5, k + 0.5));
     return base_ + gradient_.dot(center - reference_);
   }
-  [[nodiscard]] const Vec3& gradient() const { return gradient_; }       // [Pa/m]
+  [[nodiscard]] const Vec3& gradient() const { return gradient_; }      // [Pa/m]
   [[nodiscard]] const Vec3& body_force() const { return body_force_; }  // per gas volume [N/m3]
 
  private:

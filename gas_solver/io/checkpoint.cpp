@@ -24,11 +24,13 @@ std::vector<double> numbers_of(const BoxGrid& grid) {
 }
 
 std::string text_of(const std::vector<double>& n) {
-  return fmt::format("{} x {} x {} cells from ({}, {}, {}) to ({}, {}, {}) m", n[2], n[6], n[10], n[0],
-                     n[4], n[8], n[1], n[5], n[9]);
+  return fmt::format("{} x {} x {} cells from ({}, {}, {}) to ({}, {}, {}) m", n[2], n[6], n[10],
+                     n[0], n[4], n[8], n[1], n[5], n[9]);
 }
 
-std::string beside(const std::string& file) { return file + ".new"; }
+std::string beside(const std::string& file) {
+  return file + ".new";
+}
 
 }  // namespace
 
@@ -81,14 +83,16 @@ CheckpointReader::CheckpointReader(const std::string& file, const Domain& domain
   file_ = std::make_unique<ParallelFile>(file, ParallelFile::Mode::read, domain.comm());
   const double version = file_->read_numbers("/", "gas_checkpoint_version").at(0);
   if (version != format_version)
-    fail("{} is a gas checkpoint of version {}, this program reads version {}: write it anew with "
-         "this program.",
-         file, version, format_version);
+    fail(
+        "{} is a gas checkpoint of version {}, this program reads version {}: write it anew with "
+        "this program.",
+        file, version, format_version);
   const std::vector<double> written = file_->read_numbers("/", "grid");
   if (written != numbers_of(domain.grid()))
-    fail("{} was written for a grid of {}, this run's is {}: restart with the grid it was written "
-         "for.",
-         file, text_of(written), text_of(numbers_of(domain.grid())));
+    fail(
+        "{} was written for a grid of {}, this run's is {}: restart with the grid it was written "
+        "for.",
+        file, text_of(written), text_of(numbers_of(domain.grid())));
 }
 
 void CheckpointReader::number(const std::string& name, double& value) {

@@ -1,6 +1,6 @@
-// The file a run goes on from. A writer and a reader with the same calls, so that one list of fields
-// serves both. The file is written beside its name and renamed when whole: a run that is killed while
-// it writes leaves the checkpoint before.
+// The file a run goes on from. A writer and a reader with the same calls, so that one list of
+// fields serves both. The file is written beside its name and renamed when whole: a run that is
+// killed while it writes leaves the checkpoint before.
 #pragma once
 
 #include <memory>

@@ -38,12 +38,12 @@ History::History(const std::string& folder, const GasInput& input, double restar
 }
 
 void History::add(const GasReport& r) {
-  out_ << fmt::format("{:.12g},{},{:.6g},{:.6g},{},{:.3g},{:.9g},{:.9g},{},{},{:.9g},{:.9g},{:.9g},"
-                      "{:.6g},{:.6g}",
-                      r.time, r.substeps, r.step, r.courant_max, r.pressure_iterations,
-                      r.continuity_residual, r.mass_inflow, r.mass_outflow, r.backflow_faces,
-                      r.momentum_not_converged, r.drag_impulse[0], r.drag_impulse[1],
-                      r.drag_impulse[2], r.bubble_diameter, r.surface_height);
+  out_ << fmt::format(
+      "{:.12g},{},{:.6g},{:.6g},{},{:.3g},{:.9g},{:.9g},{},{},{:.9g},{:.9g},{:.9g},"
+      "{:.6g},{:.6g}",
+      r.time, r.substeps, r.step, r.courant_max, r.pressure_iterations, r.continuity_residual,
+      r.mass_inflow, r.mass_outflow, r.backflow_faces, r.momentum_not_converged, r.drag_impulse[0],
+      r.drag_impulse[1], r.drag_impulse[2], r.bubble_diameter, r.surface_height);
   for (const double p : r.probe_pressure) out_ << fmt::format(",{:.9g}", p);
   out_ << '\n';
   if (!out_.flush()) fail("{}: cannot be written: is the disk full?", name_);

@@ -106,8 +106,8 @@ void ParallelFile::write_numbers(const std::string& object, const std::string& n
                                  const std::vector<double>& values) {
   const hsize_t count = values.size();
   const Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
-  const Handle attribute(H5Acreate_by_name(file_, object.c_str(), name.c_str(), H5T_IEEE_F64LE, space,
-                                           H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+  const Handle attribute(H5Acreate_by_name(file_, object.c_str(), name.c_str(), H5T_IEEE_F64LE,
+                                           space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
                          H5Aclose);
   require(attribute >= 0 && H5Awrite(attribute, H5T_NATIVE_DOUBLE, values.data()) >= 0,
           "cannot write " + name);
@@ -139,6 +139,8 @@ void ParallelFile::remove(const std::string& group) {
   require(H5Ldelete(file_, group.c_str(), H5P_DEFAULT) >= 0, "cannot remove " + group);
 }
 
-void ParallelFile::flush() { require(H5Fflush(file_, H5F_SCOPE_GLOBAL) >= 0, "cannot be flushed"); }
+void ParallelFile::flush() {
+  require(H5Fflush(file_, H5F_SCOPE_GLOBAL) >= 0, "cannot be flushed");
+}
 
 }  // namespace gasgrain

@@ -1,5 +1,6 @@
-// An HDF5 file that the ranks of a group write and read together: fields of the whole grid, of which
-// each rank holds a box, in (z, y, x) order. Every call is collective; every failure is an Error.
+// An HDF5 file that the ranks of a group write and read together: fields of the whole grid, of
+// which each rank holds a box, in (z, y, x) order. Every call is collective; every failure is an
+// Error.
 #pragma once
 
 #include <hdf5.h>

@@ -10,7 +10,9 @@
 namespace gasgrain {
 namespace {
 
-std::string group_name(std::size_t number) { return fmt::format("{:06d}", number); }
+std::string group_name(std::size_t number) {
+  return fmt::format("{:06d}", number);
+}
 
 std::string data_item(const Int3& cells, int components, const std::string& path) {
   return fmt::format(
@@ -21,9 +23,8 @@ std::string data_item(const Int3& cells, int components, const std::string& path
 
 std::string attribute(const Int3& cells, int components, const std::string& group,
                       const std::string& name) {
-  return fmt::format(
-             "        <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Cell\">\n", name,
-             components == 1 ? "Scalar" : "Vector") +
+  return fmt::format("        <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Cell\">\n", name,
+                     components == 1 ? "Scalar" : "Vector") +
          data_item(cells, components, group + "/" + name) + "        </Attribute>\n";
 }
 

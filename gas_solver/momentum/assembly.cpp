@@ -12,8 +12,8 @@ namespace {
 constexpr double normal_stress = 4.0 / 3.0;
 constexpr double dilatation = 2.0 / 3.0;
 
-// Mass flux through the low side, along `axis`, of the control volume of the face at `o`; `s` is the
-// stride along the component's axis. Holds for the component's own axis too.
+// Mass flux through the low side, along `axis`, of the control volume of the face at `o`; `s` is
+// the stride along the component's axis. Holds for the component's own axis too.
 inline double side_flux(const double* flux, std::ptrdiff_t o, std::ptrdiff_t s) {
   return 0.5 * (flux[o - s] + flux[o]);
 }
@@ -139,7 +139,8 @@ void MomentumAssembly::inner_rows(const GasState& state, int component, double s
     }
 }
 
-// What the limiter adds to the fluxes through the low sides, then its net gain of each control volume.
+// What the limiter adds to the fluxes through the low sides, then its net gain of each control
+// volume.
 void MomentumAssembly::limited_convection(const GasState& state, int component) {
   const double* const u = state.velocity[component].data();
   const std::ptrdiff_t s = gain_.stride(component);
@@ -160,9 +161,8 @@ void MomentumAssembly::limited_convection(const GasState& state, int component) 
         // Both directions of flow are computed, one of them times 0: cheaper than a branch.
         for (std::ptrdiff_t o = first; o < end; ++o) {
           const double f = side_flux(flux, o, s) * per_h;
-          addition[o] =
-              std::max(f, 0.0) * van_leer_addition(u[o - 2 * t], u[o - t], u[o]) +
-              std::min(f, 0.0) * van_leer_addition(u[o + t], u[o], u[o - t]);
+          addition[o] = std::max(f, 0.0) * van_leer_addition(u[o - 2 * t], u[o - t], u[o]) +
+                        std::min(f, 0.0) * van_leer_addition(u[o + t], u[o], u[o - t]);
         }
       }
     for (int k = faces.lo[2]; k < faces.hi[2]; ++k)
@@ -174,8 +174,8 @@ void MomentumAssembly::limited_convection(const GasState& state, int component) 
   }
 }
 
-// The control volume is the half cell inside the side: its sides along the component's axis lie h / 2
-// apart, and eps, K and S are those of the cell.
+// The control volume is the half cell inside the side: its sides along the component's axis lie h /
+// 2 apart, and eps, K and S are those of the cell.
 void MomentumAssembly::outlet_rows(const GasState& state, int side, double step,
                                    Array3<MomentumRow>& rows) const {
   const int d = axis_of(side);
@@ -230,8 +230,11 @@ void MomentumAssembly::close_sides(int component, Array3<MomentumRow>& rows) con
   }
 }
 
-// The control volume next to a face of inflow takes the patch's full momentum, whatever share of the
-// face it covers. The flux F_c it shares with that face still dilutes it.
+// The control volume next to a face of inflow takes the patch's momentum M = rho f U^2 in full,
+// whatever share of the face it covers. The flux F_c it shares with that face, the mean of the
+// face's F_0 and the next one's, dilutes it where the jet draws gas in (F_c > F_0); where gas
+// leaves sideways below (F_c < F_0), it takes the control volume's velocity along: M - max(F_c,
+// F_0) u.
 void MomentumAssembly::add_jets(const GasState& state, int component,
                                 const std::vector<InflowFace>& inflow,
                                 Array3<MomentumRow>& rows) const {
@@ -242,7 +245,10 @@ void MomentumAssembly::add_jets(const GasState& state, int component,
     const double into = is_high(face.side) ? -1.0 : 1.0;
     const auto o = flux.offset(face.face[0], face.face[1], face.face[2]);
     const auto next = o + inward(face.side, flux.stride(component));
-    rows[next].coefficient[face.side] -= std::max(into * 0.5 * (flux[o] + flux[next]), 0.0) / h;
+    const double entering = density_ * face.volume_flux;
+    const double shared = std::max(into * 0.5 * (flux[o] + flux[next]), 0.0);
+    rows[next].coefficient[face.side] -= shared / h;
+    rows[next].inverse_diagonal += (std::max(shared, entering) - shared) / h;
     rows[next].source += into * density_ * face.momentum_flux / h;
   }
 }

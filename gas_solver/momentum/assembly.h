@@ -3,14 +3,14 @@
 //   rho eps (u - u_n)/dt + sum over the six sides of F_in (u - u_up) / h
 //     = - eps dp'/dx - K u + S + div(eps tau) + eps f
 //
-// eps, K and S of a face are means of its two cells. F_in >= 0 is the mass flux that enters through a
-// side of the face's control volume and u_up what it carries.
+// eps, K and S of a face are means of its two cells. F_in >= 0 is the mass flux that enters through
+// a side of the face's control volume and u_up what it carries.
 //
 // This is the conservative form d(eps rho u)/dt + div(F u) less u [d(eps rho)/dt + div F]: the same
-// while the fluxes F obey continuity (they are those of the last projection), and uniform flow is its
-// solution whatever eps does in space and time. All its coefficients are positive for any step, so
-// that no Courant number makes it unstable. F on a side of the control volume is the mean of the two
-// mass fluxes beside it.
+// while the fluxes F obey continuity (they are those of the last projection), and uniform flow is
+// its solution whatever eps does in space and time. All its coefficients are positive for any step,
+// so that no Courant number makes it unstable. F on a side of the control volume is the mean of the
+// two mass fluxes beside it.
 //
 // u_up is first-order upwind and implicit; with "tvd" what the limiter adds is taken from u_n. The
 // stress is tau = mu (grad u + grad u^T - 2/3 div u), its terms in the component's own derivatives

@@ -57,8 +57,8 @@ Predictor::Change Predictor::sweep(int component, bool forth) {
   const auto update = [&](std::ptrdiff_t o) {
     const MomentumRow& row = rows_[o];
     const auto& c = row.coefficient;
-    const double others = row.source + c[2] * u[o - sy] + c[3] * u[o + sy] + c[4] * u[o - sz] +
-                          c[5] * u[o + sz];
+    const double others =
+        row.source + c[2] * u[o - sy] + c[3] * u[o + sy] + c[4] * u[o - sz] + c[5] * u[o + sz];
     const double value = (others + c[0] * u[o - 1] + c[1] * u[o + 1]) * row.inverse_diagonal;
     const double change = value - u[o];
     u[o] = value;

@@ -1,7 +1,7 @@
-// Predicts the velocity at the end of a step from the pressure at its beginning: solves the momentum
-// system of each component by Gauss-Seidel sweeps, forth and back through the grid. An upwind matrix
-// is nearly triangular along the flow, whose direction one of the two sweeps meets: a few pairs do
-// even at Courant numbers of tens.
+// Predicts the velocity at the end of a step from the pressure at its beginning: solves the
+// momentum system of each component by Gauss-Seidel sweeps, forth and back through the grid. An
+// upwind matrix is nearly triangular along the flow, whose direction one of the two sweeps meets: a
+// few pairs do even at Courant numbers of tens.
 #pragma once
 
 #include "gas_solver/boundary/ghosts.h"

@@ -16,8 +16,8 @@ bool transformable(const PressureSystem& system, int axis) {
   return lo.periodic || (lo.normal_velocity_given && hi.normal_velocity_given);
 }
 
-// The coefficients of each layer across `axis` are those of its first cell, and those of the two axes
-// in the layer change along `axis` only.
+// The coefficients of each layer across `axis` are those of its first cell, and those of the two
+// axes in the layer change along `axis` only.
 bool layered(const Domain& domain, const PressureSystem& system, int axis) {
   const IndexBox own = domain.own();
   for (int d = 0; d < 3; ++d) {
@@ -107,9 +107,8 @@ void FftwLayers::solve(PressureSystem& system) {
                  work_.data() + m1 * work_.stride(plane[0]) + m2 * work_.stride(plane[1]),
                  work_.stride(axis_));
   fftw_execute(backward_);
-  for_each_cell(domain_.own(), [&](int i, int j, int k) {
-    system.solution(i, j, k) = work_(i, j, k) * scale_;
-  });
+  for_each_cell(domain_.own(),
+                [&](int i, int j, int k) { system.solution(i, j, k) = work_(i, j, k) * scale_; });
 }
 
 // Face coefficients of the layers: across_[n] between layers n-1 and n, along_ within a layer.

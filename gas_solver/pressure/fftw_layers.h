@@ -1,7 +1,7 @@
-// Direct solution of the pressure equation where its coefficients change along one axis only: Fourier
-// (periodic axis) or cosine transforms (axis between two sides of given velocity) along the other
-// two turn it into a tridiagonal system along that axis for each pair of wave numbers.
-// With coefficients c of one layer the eigenvalues along a transformed axis of n cells are
+// Direct solution of the pressure equation where its coefficients change along one axis only:
+// Fourier (periodic axis) or cosine transforms (axis between two sides of given velocity) along the
+// other two turn it into a tridiagonal system along that axis for each pair of wave numbers. With
+// coefficients c of one layer the eigenvalues along a transformed axis of n cells are
 //   c (2 - 2 cos(pi m / n)) cosine, m = 0 .. n-1;   c (2 - 2 cos(2 pi m / n)) Fourier.
 // On one rank.
 #pragma once
@@ -34,7 +34,8 @@ class FftwLayers {
 
  private:
   void read_layers(const PressureSystem& system);
-  void solve_line(const PressureSystem& system, int m1, int m2, double* line, std::ptrdiff_t stride);
+  void solve_line(const PressureSystem& system, int m1, int m2, double* line,
+                  std::ptrdiff_t stride);
 
   const Domain& domain_;
   int axis_;

@@ -7,7 +7,7 @@ namespace {
 
 constexpr int max_iterations = 200;
 // Iterations more than right after the build that are borne before the multigrid is built anew.
-constexpr int borne_iterations = 2;
+constexpr int borne_iterations = 1;
 
 HYPRE_Int keep_build(HYPRE_StructSolver, HYPRE_StructMatrix, HYPRE_StructVector,
                      HYPRE_StructVector) {

@@ -1,9 +1,10 @@
-// Solves the pressure equation by conjugate gradients preconditioned with hypre's PFMG, a semicoarsening
-// multigrid for cell-by-cell varying coefficients. The unknown is a pressure increment, for which 0
-// is the guess that holds what the last steps found.
+// Solves the pressure equation by conjugate gradients preconditioned with hypre's PFMG, a
+// semicoarsening multigrid for cell-by-cell varying coefficients. The unknown is a pressure
+// increment, for which 0 is the guess that holds what the last steps found.
 //
-// The multigrid is rebuilt when its last build serves no more: a build costs about as much as three
-// iterations, so that one of an earlier step is kept while the iterations grow by no more than that.
+// The multigrid is built anew only when its last build serves no more: a build costs about as much
+// as one to two iterations, so that one of an earlier step is kept while the iterations grow by
+// less.
 #pragma once
 
 #include <HYPRE_struct_ls.h>

@@ -1,5 +1,5 @@
-// Chooses who solves the pressure system: FFTW where its coefficients allow (exact, and fastest), else
-// hypre's multigrid.
+// Chooses who solves the pressure system: FFTW where its coefficients allow (exact, and fastest),
+// else hypre's multigrid.
 #pragma once
 
 #include <memory>

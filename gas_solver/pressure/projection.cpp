@@ -42,7 +42,8 @@ ProjectionReport Projection::project(GasState& state, double step,
   const double scale = flow_scale(state, step, report);
   set_coefficients(state, step);
   set_source(state, step);
-  // Without an outlet only sources that sum to 0 can be met; what is taken off stays in the residual.
+  // Without an outlet only sources that sum to 0 can be met; what is taken off stays in the
+  // residual.
   if (system_.singular) remove_mean(domain_, system_.source);
   report.iterations = solver_.solve(system_, tolerance_ * scale / density_);
   if (system_.singular) remove_mean(domain_, system_.solution);
@@ -105,13 +106,13 @@ void Projection::set_coefficients(const GasState& state, double step) {
     for_each_cell(faces, [&](int i, int j, int k) {
       const auto o = eps.offset(i, j, k);
       const double eps_f = face_mean(eps, o, s);
-      c[o] = per_gradient * eps_f * mobility(eps_f, face_mean(state.drag_coefficient, o, s), inertia);
+      c[o] =
+          per_gradient * eps_f * mobility(eps_f, face_mean(state.drag_coefficient, o, s), inertia);
     });
     for (const bool high : {false, true}) {
       const int side = side_of(d, high);
       const double open = sides_[side]->normal_velocity_given ? 0.0 : 2.0;  // h / 2 apart
-      for_each_cell(domain_.side_faces(side),
-                    [&](int i, int j, int k) { c(i, j, k) *= open; });
+      for_each_cell(domain_.side_faces(side), [&](int i, int j, int k) { c(i, j, k) *= open; });
     }
   }
 }
@@ -158,7 +159,8 @@ void Projection::correct(GasState& state, double step) {
       });
     }
   }
-  for_each_cell(domain_.own(), [&](int i, int j, int k) { state.pressure(i, j, k) += dp(i, j, k); });
+  for_each_cell(domain_.own(),
+                [&](int i, int j, int k) { state.pressure(i, j, k) += dp(i, j, k); });
   halo_.exchange({&state.pressure, &state.velocity[0], &state.velocity[1], &state.velocity[2]});
   fill_ghost_cells(domain_, state.pressure);
   for (int d = 0; d < 3; ++d) fill_ghost_velocities(domain_, sides_, d, state.velocity[d]);
@@ -174,8 +176,7 @@ double Projection::flow_scale(const GasState& state, double step,
     const auto o = state.void_fraction.offset(i, j, k);
     displaced += std::abs(state.void_fraction[o] - state.void_fraction_before[o]);
     for (int d = 0; d < 3; ++d)
-      through_face =
-          std::max(through_face, std::abs(state.mass_flux[d][o]) * volume / spacing_[d]);
+      through_face = std::max(through_face, std::abs(state.mass_flux[d][o]) * volume / spacing_[d]);
   });
   displaced = domain_.comm().sum(displaced) * 0.5 * density_ * volume / step;
   return std::max({report.mass_inflow, displaced, domain_.comm().max(through_face)});

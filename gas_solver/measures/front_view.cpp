@@ -1,12 +1,14 @@
-#include "gas_solver/measures/bed.h"
+#include "gas_solver/measures/front_view.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace gasgrain {
 
-BedMeasures::BedMeasures(const Domain& domain, double surface_solids, double bubble_void_fraction)
-    : domain_(domain), surface_solids_(surface_solids), bubble_void_fraction_(bubble_void_fraction) {
+FrontView::FrontView(const Domain& domain, double surface_solids, double bubble_void_fraction)
+    : domain_(domain),
+      surface_solids_(surface_solids),
+      bubble_void_fraction_(bubble_void_fraction) {
   const Int3& place = domain.place();
   const Int3& layout = domain.layout();
   const MPI_Comm comm = domain.comm().handle();
@@ -14,7 +16,7 @@ BedMeasures::BedMeasures(const Domain& domain, double surface_solids, double bub
   MPI_Comm_split(comm, place[0] + layout[0] * place[1], place[2], &height_);
 }
 
-BedMeasures::~BedMeasures() {
+FrontView::~FrontView() {
   int finalized = 0;
   MPI_Finalized(&finalized);
   if (finalized != 0) return;  // MPI has freed them
@@ -22,16 +24,15 @@ BedMeasures::~BedMeasures() {
   MPI_Comm_free(&height_);
 }
 
-BedShape BedMeasures::measure(const Array3<double>& void_fraction) const {
+BedShape FrontView::measure(const Array3<double>& void_fraction) const {
   const IndexBox own = domain_.own();
   const BoxGrid& grid = domain_.grid();
   IndexBox flat = own;
   flat.lo[1] = 0;
   flat.hi[1] = 1;
   Array3<double> mean(flat);
-  for_each_cell(own, [&](int i, int j, int k) {
-    mean(i, 0, k) += void_fraction(i, j, k) / grid.cells[1];
-  });
+  for_each_cell(
+      own, [&](int i, int j, int k) { mean(i, 0, k) += void_fraction(i, j, k) / grid.cells[1]; });
   MPI_Allreduce(MPI_IN_PLACE, mean.data(), static_cast<int>(mean.size()), MPI_DOUBLE, MPI_SUM,
                 depth_);
 

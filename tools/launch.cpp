@@ -1,0 +1,53 @@
+#include "tools/launch.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "tools/results_folder.h"
+
+namespace gasgrain {
+
+Command launch_command(const RunOptions& options, const Programs& programs,
+                       const std::filesystem::path& results, std::optional<long> restart_step) {
+  Command command;
+  command.working_directory = std::filesystem::absolute(options.scene).lexically_normal();
+  // Ranks may outnumber cores, hence the waiting that yields; the single-copy mechanism of Open
+  // MPI needs a system call that containers forbid, and complains.
+  command.environment = {{"OMPI_MCA_mpi_yield_when_idle", "1"},
+                         {"OMPI_MCA_btl_vader_single_copy_mechanism", "none"},
+                         {"OMP_NUM_THREADS", "1"}};
+
+  auto& words = command.arguments;
+  words = {programs.mpirun, "--oversubscribe", "--bind-to", "none"};
+  if (geteuid() == 0) words.emplace_back("--allow-run-as-root");
+
+  words.insert(words.end(), {"-np", std::to_string(options.dem_ranks), programs.dem});
+  // What the DEM says is in run.log; a log of its own would land in the scene folder.
+  words.insert(words.end(), {"-in", "in.liggghts", "-log", "none", "-var", "out", results});
+  if (options.time_s)
+    words.insert(words.end(), {"-var", "time", fmt::format("{}", *options.time_s)});
+  words.insert(words.end(), {"-var", "restart", std::to_string(restart_step.value_or(0))});
+  for (const auto& [name, value] : options.variables)
+    words.insert(words.end(), {"-var", name, value});
+
+  words.insert(words.end(), {":", "-np", std::to_string(options.gas_ranks), programs.gas});
+  words.insert(words.end(), {"gas.toml", "--out", results});
+  if (restart_step)
+    words.insert(words.end(), {"--restart", gas_checkpoint(results, *restart_step)});
+  return command;
+}
+
+std::string restart_line(const RunOptions& options) {
+  std::string line = fmt::format("gasgrain run {}", options.scene.string());
+  if (options.dem_ranks != RunOptions{}.dem_ranks)
+    line += fmt::format(" --dem-ranks {}", options.dem_ranks);
+  if (options.gas_ranks != RunOptions{}.gas_ranks)
+    line += fmt::format(" --gas-ranks {}", options.gas_ranks);
+  if (options.time_s) line += fmt::format(" --time {}", *options.time_s);
+  if (!options.out.empty()) line += fmt::format(" --out {}", options.out.string());
+  for (const auto& [name, value] : options.variables)
+    line += fmt::format(" --var {} {}", name, value);
+  return line + " --restart";
+}
+
+}  // namespace gasgrain

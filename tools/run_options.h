@@ -1,0 +1,23 @@
+// What the user asks of `gasgrain run`.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gasgrain {
+
+struct RunOptions {
+  std::filesystem::path scene;
+  int dem_ranks = 2;
+  int gas_ranks = 1;
+  std::optional<double> time_s;  // simulated time; the scene's own when absent
+  std::filesystem::path out;     // empty: results/<scene name>
+  bool restart = false;
+  bool no_plots = false;
+  std::vector<std::pair<std::string, std::string>> variables;  // handed to the DEM script
+};
+
+}  // namespace gasgrain

@@ -1,0 +1,15 @@
+// Whether a scene can run, found out before anything is started.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/programs.h"
+#include "tools/run_options.h"
+
+namespace gasgrain {
+
+// Every fault of the scene and of the request, a text each; empty when the run can start.
+std::vector<std::string> scene_faults(const RunOptions& options, const Programs& programs);
+
+}  // namespace gasgrain
