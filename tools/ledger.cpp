@@ -43,8 +43,8 @@ std::string table(const std::string& side, const json& ledger) {
                                  fmt::format("{}, {} rank{}", side, ranks, ranks == 1 ? "" : "s"),
                                  "mean s", "max s", "share");
   for (const auto& cost : costs)
-    text += fmt::format("    {:<32}{:>9.1f}{:>9.1f}{:>7.1f} %\n", cost.task, cost.mean_s, cost.max_s,
-                        percent * cost.mean_s);
+    text += fmt::format("    {:<32}{:>9.1f}{:>9.1f}{:>7.1f} %\n", cost.task, cost.mean_s,
+                        cost.max_s, percent * cost.mean_s);
   if (coupling > 0.0)
     text += fmt::format("    {:<32}{:>9.1f}{:>9}{:>7.1f} %\n", "coupling, gas and waiting, all",
                         coupling, "", percent * coupling);
