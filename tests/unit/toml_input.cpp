@@ -32,18 +32,23 @@ std::string faults_of(const std::string& text) {
 }
 
 TEST(toml_input, a_right_file_has_no_fault) {
-  EXPECT_EQ(faults_of("[gas]\ndensity = 1.2\ndrag = \"koch_hill\"\n[grid]\ncells = [1, 2, 3]\n"), "");
+  EXPECT_EQ(faults_of("[gas]\ndensity = 1.2\ndrag = \"koch_hill\"\n[grid]\ncells = [1, 2, 3]\n"),
+            "");
 }
 
 TEST(toml_input, all_faults_come_together_each_with_its_line) {
   const std::string faults = faults_of(
-      "[gas]\ndensity = -1\ndrag = \"koch_hil\"\ndensty = 2\n[grid]\ncells = [1, 2]\n[extra]\na = 1\n");
+      "[gas]\ndensity = -1\ndrag = \"koch_hil\"\ndensty = 2\n[grid]\ncells = [1, 2]\n[extra]\na = "
+      "1\n");
   EXPECT_NE(faults.find(":2: gas.density = -1 is out of range: it must be greater than 0 in kg/m3"),
-            std::string::npos) << faults;
+            std::string::npos)
+      << faults;
   EXPECT_NE(faults.find(":3: gas.drag = \"koch_hil\" is unknown. Did you mean \"koch_hill\"?"),
-            std::string::npos) << faults;
+            std::string::npos)
+      << faults;
   EXPECT_NE(faults.find(":4: the key gas.densty is unknown. Did you mean \"density\"?"),
-            std::string::npos) << faults;
+            std::string::npos)
+      << faults;
   EXPECT_NE(faults.find(":6: grid.cells must have three values"), std::string::npos) << faults;
   EXPECT_NE(faults.find("the key extra is unknown"), std::string::npos) << faults;
 }

@@ -1,0 +1,66 @@
+// Small cases that tests of the gas solver share.
+#pragma once
+
+#include <functional>
+
+#include "gas_solver/gas_step.h"
+
+namespace gasgrain::gas_cases {
+
+inline Communicator self() {
+  return Communicator(MPI_COMM_SELF);
+}
+
+using Field = std::function<double(int i, int j, int k)>;
+
+inline GasInput box(const Int3& cells, const Vec3& size, const Sides& sides) {
+  GasInput input;
+  input.grid.hi = size;
+  input.grid.cells = cells;
+  input.sides = sides;
+  return input;
+}
+
+inline constexpr Sides walls{&wall_no_slip, &wall_no_slip, &wall_no_slip,
+                             &wall_no_slip, &wall_no_slip, &wall_no_slip};
+// A column without friction, open at its top.
+inline constexpr Sides column{&wall_free_slip, &wall_free_slip, &wall_free_slip,
+                              &wall_free_slip, &wall_free_slip, &outlet};
+
+inline InflowPatch whole_side(const GasInput& input, int side, double velocity) {
+  return {side, {side_rectangle(input.grid, side), false}, velocity, 0.0};
+}
+
+inline Array3<double> filled(const IndexBox& box, const Field& value) {
+  Array3<double> field(box);
+  for_each_cell(box, [&](int i, int j, int k) { field(i, j, k) = value(i, j, k); });
+  return field;
+}
+
+inline void set_bed(GasSolver& gas, const Field& eps, const Field& drag, const Field& source_z) {
+  const Array3<double> none(gas.own());
+  gas.set_void_fraction(filled(gas.own(), eps));
+  gas.set_drag(filled(gas.own(), drag), {none, none, filled(gas.own(), source_z)});
+}
+
+// A number in [0, 1) that depends on the cell alone, so that ranks agree on it.
+inline double scatter(int i, int j, int k) {
+  const double x = 12.9898 * i + 78.233 * j + 37.719 * k;
+  const double y = 43758.5453 * std::sin(x);
+  return y - std::floor(y);
+}
+
+inline double constant_zero(int, int, int) {
+  return 0.0;
+}
+
+inline double greatest_speed(const GasSolver& gas) {
+  double greatest = 0;
+  for (int d = 0; d < 3; ++d)
+    for_each_cell(gas.domain().faces(d), [&](int i, int j, int k) {
+      greatest = std::max(greatest, std::abs(gas.state().velocity[d](i, j, k)));
+    });
+  return greatest;
+}
+
+}  // namespace gasgrain::gas_cases

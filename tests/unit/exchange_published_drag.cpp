@@ -1,0 +1,99 @@
+// Drag laws against points worked out from the equations as their sources print them, in other
+// variables than the code uses. Air of 1.2 kg/m3 and 1.8e-5 Pa s, spheres of 1.2 mm; K over 3 pi mu
+// d.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "coupling/exchange/drag/models.h"
+
+namespace gasgrain {
+namespace {
+
+constexpr GasState air{1.2, 1.8e-5};
+constexpr double d = 1.2e-3;
+
+double slip_of(double re, double eps) {
+  return re * air.viscosity / (eps * air.density * d);
+}
+
+template <class Law>
+double over_stokes(double eps, double re) {
+  return Law::coefficient(air, eps, slip_of(re, eps), d) / (3.0 * pi * air.viscosity * d);
+}
+
+// Hoomans et al. (2001), eqs 27-30: beta V_p / (1 - eps). The points have ten digits.
+TEST(drag_ergun_wen_yu, has_the_values_of_its_source) {
+  EXPECT_NEAR(over_stokes<DragErgunWenYu>(0.4, 10.0), 14.93055556, 1e-8);
+  EXPECT_NEAR(over_stokes<DragErgunWenYu>(0.45, 100.0), 31.79012346, 1e-8);
+  EXPECT_NEAR(over_stokes<DragErgunWenYu>(0.7, 300.0), 45.23809524, 1e-8);
+  EXPECT_NEAR(over_stokes<DragErgunWenYu>(0.9, 100.0), 6.013977333, 1e-8);
+  EXPECT_NEAR(over_stokes<DragErgunWenYu>(0.95, 10.0), 1.981439592, 1e-8);
+  EXPECT_NEAR(over_stokes<DragErgunWenYu>(0.8, 2000.0), 66.23430215, 1e-7);
+}
+
+// In a uniform fixed bed model A reads eps dp/L = n K u; the drop must be Ergun's.
+TEST(drag_ergun_wen_yu, reproduces_erguns_pressure_drop_of_a_fixed_bed) {
+  for (const double eps : {0.36, 0.4, 0.5, 0.6})
+    for (const double u : {0.01, 0.3, 4.0}) {
+      const double n = (1.0 - eps) / (pi / 6.0 * d * d * d);
+      const double drop = n * DragErgunWenYu::coefficient(air, eps, u, d) * u / eps;
+      const double U = eps * u;
+      const double ergun =
+          150.0 * air.viscosity * (1.0 - eps) * (1.0 - eps) * U / (eps * eps * eps * d * d) +
+          1.75 * air.density * (1.0 - eps) * U * U / (eps * eps * eps * d);
+      EXPECT_NEAR(drop / ergun, 1.0, 1e-13) << "eps " << eps << ", u " << u;
+    }
+}
+
+TEST(drag_ergun_wen_yu, jumps_at_its_switch_as_published) {
+  const auto jump = [](double re) {
+    return over_stokes<DragErgunWenYu>(std::nextafter(0.8, 0.0), re) /
+           over_stokes<DragErgunWenYu>(0.8, re);
+  };
+  EXPECT_NEAR(jump(0.0), 1.153, 1e-3);
+  EXPECT_NEAR(jump(100.0), 1.733, 1e-3);
+}
+
+// The thesis's form beta = mu / d^2 (A phi^2 / eps + B phi Re) with B = 0.6057 eps^2 + ...; its
+// coefficients are rounded, 0.2088 being 9 times 0.0232.
+TEST(drag_koch_hill, has_the_values_of_its_source) {
+  EXPECT_NEAR(over_stokes<DragKochHill>(0.8, 100.0), 9.114301516, 1e-8);
+  EXPECT_NEAR(over_stokes<DragKochHill>(0.6, 50.0), 10.72075185, 1e-7);
+  EXPECT_NEAR(over_stokes<DragKochHill>(0.4, 100.0), 34.681, 1e-7);
+}
+
+TEST(drag_koch_hill, is_carmans_law_for_a_packed_bed_in_creeping_flow) {
+  const double eps = 0.4;
+  const double u = 1e-12;
+  const double n = (1.0 - eps) / (pi / 6.0 * d * d * d);
+  const double drop = n * DragKochHill::coefficient(air, eps, u, d) * u / eps;
+  const double carman =
+      180.0 * air.viscosity * (1.0 - eps) * (1.0 - eps) * (eps * u) / (eps * eps * eps * d * d);
+  EXPECT_NEAR(drop / carman, 1.0, 1e-9);
+}
+
+TEST(drag_koch_hill, steps_by_one_percent_where_its_branches_meet) {
+  const double dense = DragKochHill::f0(0.6);
+  const double dilute = DragKochHill::f0(std::nextafter(0.6, 1.0));
+  EXPECT_NEAR(dense, 10.0 * 0.4 / 0.216, 1e-12);
+  EXPECT_NEAR(dense / dilute, 1.0104, 1e-4);
+}
+
+// F_d = C_d (pi d^2 / 4) (rho U^2 / 2) eps^-beta with U = eps u, over u.
+TEST(drag_di_felice, has_the_values_of_its_source) {
+  EXPECT_NEAR(over_stokes<DragDiFelice>(0.4, 100.0), 36.02510066, 1e-7);
+  EXPECT_NEAR(over_stokes<DragDiFelice>(0.7, 10.0), 4.103874985, 1e-8);
+  EXPECT_NEAR(over_stokes<DragDiFelice>(0.9, 500.0), 19.10624659, 1e-7);
+}
+
+// K u = eps V_p (rho_p - rho) g, so that U / U_isolated = eps^2 K(1) / K(eps).
+TEST(drag_di_felice, settles_as_richardson_and_zaki_found_in_creeping_flow) {
+  for (const double eps : {0.5, 0.7, 0.9})
+    EXPECT_NEAR(
+        eps * eps * over_stokes<DragDiFelice>(1.0, 0.0) / over_stokes<DragDiFelice>(eps, 0.0),
+        std::pow(eps, 4.7), 1e-12);
+}
+
+}  // namespace
+}  // namespace gasgrain

@@ -1,0 +1,156 @@
+// Reading gas.toml.
+#include "gas_solver/gas_input.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "coupling/base/error.h"
+
+namespace gasgrain {
+namespace {
+
+const std::string right = R"([grid]
+lo = [0, 0, 0]
+hi = [0.15, 0.02, 1.0]
+cells = [36, 6, 220]
+[time]
+end = 1
+[boundary]
+z_hi = "outlet"
+[[inflow]]
+side = "z_lo"
+shape = "circle"
+center = [0.075, 0.01]
+diameter = 0.005
+mass_flow = 0.006
+)";
+
+std::string written(const std::string& text) {
+  const std::string name = testing::TempDir() + "gas_input_test.toml";
+  std::ofstream(name) << text;
+  return name;
+}
+
+std::string faults_of(const std::string& text) {
+  try {
+    read_gas_input(written(text), true);
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+std::string changed(const std::string& from, const std::string& to) {
+  std::string text = right;
+  const auto at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+void expect_fault(const std::string& text, const std::string& fault) {
+  const std::string faults = faults_of(text);
+  EXPECT_NE(faults.find(fault), std::string::npos) << "expected: " << fault << "\ngot: " << faults;
+}
+
+TEST(gas_input, a_right_file_is_read_with_its_defaults) {
+  const GasInput input = read_gas_input(written(right), true);
+  EXPECT_EQ(input.grid.cells, (Int3{36, 6, 220}));
+  EXPECT_EQ(input.sides[5], &outlet);
+  EXPECT_EQ(input.sides[0], &wall_no_slip);
+  EXPECT_EQ(input.density, 1.2);
+  EXPECT_EQ(input.viscosity, 18.27e-6);
+  ASSERT_EQ(input.inflows.size(), 1U);
+  const double area = M_PI * 0.0025 * 0.0025;
+  EXPECT_NEAR(input.inflows[0].velocity, 0.006 / (1.2 * area), 1e-9);
+}
+
+TEST(gas_input, end_of_time_is_required_only_without_particles) {
+  const std::string text = changed("end = 1\n", "");
+  expect_fault(text, "[time] lacks the key end");
+  EXPECT_NO_THROW(read_gas_input(written(text), false));
+}
+
+TEST(gas_input, all_faults_come_at_once) {
+  const std::string faults = faults_of(R"([grid]
+lo = [0, 0, 0]
+hi = [1, 1, 1]
+cells = [4, 4, 4]
+[gas]
+densty = 1
+[time]
+end = -1
+[boundary]
+x_lo = "periodic"
+z_hi = "outlt"
+[solver]
+pressure = "fft"
+[output]
+pressure_probes = [0.5, 1.5]
+)");
+  for (const char* fault :
+       {":6: the key gas.densty is unknown. Did you mean \"density\"?",
+        ":8: time.end = -1 is out of range",
+        ":10: boundary.x_lo is \"periodic\" but x_hi is not: set both, or neither.",
+        ":11: boundary.z_hi = \"outlt\" is unknown. Did you mean \"outlet\"?",
+        ":13: solver.pressure = \"fft\" is unknown.",
+        ":15: the pressure probe at z = 1.5 m is outside of the grid, 0 to 1 m."})
+    EXPECT_NE(faults.find(fault), std::string::npos) << fault << "\n" << faults;
+}
+
+TEST(gas_input, patch_outside_its_side_names_both_extents) {
+  expect_fault(changed("[0.075, 0.01]", "[0.149, 0.01]"),
+               "the inflow covers x 0.1465 to 0.1515, y 0.0075 to 0.0125 m, which leaves its side "
+               "z_lo: x 0 to 0.15, y 0 to 0.02 m.");
+}
+
+TEST(gas_input, inflow_needs_an_outlet) {
+  expect_fault(changed("z_hi = \"outlet\"", ""), "no side lets it out");
+}
+
+TEST(gas_input, overlapping_patches_are_found_and_touching_ones_allowed) {
+  const auto second = [](const std::string& shape) {
+    return right + "[[inflow]]\nside = \"z_lo\"\nvelocity = 1\n" + shape;
+  };
+  expect_fault(second("shape = \"circle\"\ncenter = [0.079, 0.01]\ndiameter = 0.005\n"),
+               "overlaps");
+  expect_fault(second("shape = \"whole\"\n"), "overlaps the 1. inflow");
+  EXPECT_EQ(
+      faults_of(second("shape = \"rectangle\"\ncenter = [0.08, 0.01]\nsize = [0.005, 0.02]\n")),
+      "");
+}
+
+TEST(gas_input, patch_lies_on_a_wall_only) {
+  expect_fault(changed("side = \"z_lo\"", "side = \"z_hi\""),
+               "an inflow cannot lie on z_hi, which is \"outlet\"");
+}
+
+TEST(gas_input, strength_is_given_once) {
+  expect_fault(changed("mass_flow = 0.006", "mass_flow = 0.006\nvelocity = 1"), "not both");
+  expect_fault(changed("mass_flow = 0.006\n", ""), "has neither");
+}
+
+TEST(gas_input, faulty_grid_does_not_raise_faults_of_what_lies_in_it) {
+  const std::string faults =
+      faults_of(changed("hi = [0.15, 0.02, 1.0]", "hi = [0.15, -0.02, 1.0]"));
+  EXPECT_NE(faults.find("grid.hi must be above grid.lo along y"), std::string::npos) << faults;
+  EXPECT_EQ(faults.find("inflow"), std::string::npos) << faults;
+}
+
+TEST(gas_input, circle_and_rectangles_have_exact_common_areas) {
+  const Outline circle{{{-1, -1}, {1, 1}}, true};
+  EXPECT_NEAR(common_area(circle, {{-2, -2}, {2, 2}}), M_PI, 1e-14);
+  EXPECT_NEAR(common_area(circle, {{0, 0}, {2, 2}}), M_PI / 4, 1e-14);
+  EXPECT_NEAR(common_area(circle, {{-0.5, -0.5}, {0.5, 0.5}}), 1.0, 1e-14);
+  EXPECT_NEAR(common_area(circle, {{0.5, -2}, {2, 2}}), M_PI / 3 - std::sqrt(3.0) / 4, 1e-14);
+  EXPECT_EQ(common_area(circle, {{0.8, 0.8}, {1, 1}}), 0.0);
+  double sum = 0;
+  for (int i = 0; i < 7; ++i)
+    for (int j = 0; j < 7; ++j)
+      sum += common_area(circle, {{-1 + 2.0 * i / 7, -1 + 2.0 * j / 7},
+                                  {-1 + 2.0 * (i + 1) / 7, -1 + 2.0 * (j + 1) / 7}});
+  EXPECT_NEAR(sum, M_PI, 1e-13);
+}
+
+}  // namespace
+}  // namespace gasgrain
