@@ -1,6 +1,7 @@
 #include "coupling/coupled_step.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "coupling/base/error.h"
 
@@ -21,7 +22,7 @@ GasHello meet(const Communicator& local, MPI_Comm partner, const Effects& effect
   hello.lent = effects.lent().bits();
   hello.taken = effects.taken().bits();
   const GasHello gas = greet_gas(local, partner, hello);
-  const std::string faults = pairing_faults(hello, gas, scene.script);
+  const std::string faults = pairing_faults(hello, gas);
   if (!faults.empty()) throw Error(faults);
   return gas;
 }
@@ -120,6 +121,7 @@ Report CoupledStep::begin(const ParticleView& particles, const DemRegion& region
   {
     const Stopwatch watch(costs_, cost_deposit_);
     weights_.find(particles, effects_.method, frame_);
+    clamps_.beyond_walls += static_cast<long>(weights_.beyond_walls());
     solid_volume_.fill(0.0);
     deposit_solid_volume(particles, weights_, solid_volume_);
   }
@@ -137,9 +139,7 @@ Report CoupledStep::begin(const ParticleView& particles, const DemRegion& region
       const DragRefresh met =
           refresh_drag(particles, weights_, *effects_.drag, GasState{gas_.density, gas_.viscosity},
                        void_fraction_, velocity_, records);
-      densest_.too_dense += met.too_dense;
-      densest_.least_void_fraction =
-          std::min(densest_.least_void_fraction, met.least_void_fraction);
+      clamps_.too_dense += static_cast<long>(met.too_dense);
       drag_coefficient_.fill(0.0);
       for (auto& component : drag_source_) component.fill(0.0);
       deposit_drag(particles, weights_, records, frame_.grid.cell_volume(), interval,
@@ -174,6 +174,10 @@ void CoupledStep::apply(const ParticleView& particles, ExchangeRecord* records, 
   const AppliedDrag applied = apply_forces(particles, effects_, records, force, dt);
   taken_in_interval_ += applied.impulse;
   ledger_.add_taken(applied);
+}
+
+CoupledStep::Clamps CoupledStep::take_clamps() {
+  return std::exchange(clamps_, Clamps{});
 }
 
 void CoupledStep::checkpoint(long step) {

@@ -30,7 +30,6 @@ struct DemScene {
   std::array<int, 3> periodic{};
   double interval = 0.0;  // coupling interval [s]
   double time = 0.0;      // gas time of the first coupling to come [s]
-  std::string script;     // file and line of the couple/gas command, for messages
 };
 
 // The part of the box that a DEM rank's particles may be in until the next coupling.
@@ -71,7 +70,12 @@ class CoupledStep {
   [[nodiscard]] const GasHello& gas() const { return gas_; }
   [[nodiscard]] const BoxGrid& grid() const { return frame_.grid; }
   [[nodiscard]] CostLedger& costs() { return costs_; }
-  [[nodiscard]] const DragRefresh& densest() const { return densest_; }
+  // What was clamped since the last call, this rank's share.
+  struct Clamps {
+    long too_dense = 0;  // particles whose void fraction was raised to the least a drag law takes
+    long beyond_walls = 0;  // particles whose centre was outside of the box
+  };
+  Clamps take_clamps();
   // Bytes that this rank has sent to the gas.
   [[nodiscard]] long bytes_sent() const { return transport_.bytes_sent(); }
 
@@ -90,7 +94,7 @@ class CoupledStep {
   ParticleWeights weights_;
   Ledger ledger_;
   CostLedger costs_;
-  DragRefresh densest_;                    // extremes of the run, this rank
+  Clamps clamps_;
   Vec3 taken_in_interval_ = Vec3::Zero();  // this rank's particles, since the last coupling
   Vec3 expected_in_interval_ = Vec3::Zero();
   bool met_before_ = false;

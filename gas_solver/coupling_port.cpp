@@ -151,6 +151,7 @@ Report CouplingPort::report_of(const GasReport& done) const {
   report.mass_inflow = done.mass_inflow;
   report.mass_outflow = done.mass_outflow;
   report.backflow_faces = done.backflow_faces;
+  report.momentum_not_converged = done.momentum_not_converged;
   report.moved_cells = moved_cells_;
   for (int d = 0; d < 3; ++d) report.drag_impulse[d] = done.drag_impulse[d];
   report.bubble_diameter = done.bubble_diameter;

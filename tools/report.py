@@ -6,8 +6,9 @@
         DIR/bed.png               the particles from the front at some times, coloured by speed
         DIR/particles.vtk.series  the particle files with their times, to be opened with gas.xdmf
     tools/report.py --compare DIR1 DIR2 --data FILE.csv --out FILE.png
-        bed height and bubble diameter of two runs beside published points; the columns of FILE.csv
-        are case,quantity,time_s,value_m with the quantities bed_height and bubble_diameter
+        bed height and bubble diameter of two runs beside published points, and a table of the
+        errors in Markdown; the columns of FILE.csv are case,quantity,time_s,value_m with the
+        quantities bed_height, bubble_diameter and these with _max, the cases in the order of the runs
 """
 
 import argparse
@@ -50,6 +51,7 @@ def main():
     try:
         if options.compare:
             report_compare.draw(options.compare, options.data, options.out)
+            print(report_compare.table(options.compare, options.data))
             reasons = []
         else:
             reasons = report(options.folder)

@@ -27,6 +27,28 @@ std::optional<Peak> peak(const History& history, const std::string& column) {
   return best;
 }
 
+// Sum of a column after the gas has started.
+double sum(const History& history, const std::string& column) {
+  double total = 0.0;
+  for (std::size_t row = 0; row < history.rows(); ++row) {
+    const auto time = history.value(row, "time_s");
+    const auto value = history.value(row, column);
+    if (time && value && *time >= 0.0) total += *value;
+  }
+  return total;
+}
+
+struct Clamp {
+  const char* column;
+  const char* text;
+};
+constexpr Clamp clamps[] = {
+    {"moved_cells", "times a cell held more than 80 % of solids: the excess was moved"},
+    {"too_dense", "times a grain's void fraction was below 0.2: its drag law was taken at 0.2"},
+    {"beyond_walls", "times a grain's centre was outside of the box: its solids went to the wall"},
+    {"momentum_not_converged", "components of the gas's momentum missed the tolerance"},
+    {"backflow_faces", "outlet faces (summed over the lines) let gas in"}};
+
 bool has_files(const fs::path& folder) {
   return fs::is_directory(folder) && fs::directory_iterator(folder) != fs::directory_iterator();
 }
@@ -47,6 +69,9 @@ std::string summary(const fs::path& results, double wall_s, const std::string& c
                         100.0 * overlap->value, overlap->time_s);
   if (const auto residual = history.last("ledger_residual"))
     text += fmt::format("  {:<18}{:.2g}\n", "ledger residual", *residual);
+  for (const Clamp& clamp : clamps)
+    if (const double count = sum(history, clamp.column); count > 0.0)
+      text += fmt::format("  note: {:.0f} {}\n", count, clamp.text);
   return costs.empty() ? text : text + "Cost by task:\n" + costs;
 }
 

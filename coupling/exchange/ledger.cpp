@@ -62,18 +62,21 @@ void Ledger::set_values(const std::vector<double>& values) {
   work_.assign(next, next + work_.size());
 }
 
-std::string Ledger::csv_header() {
-  std::string header = "time_s";
+std::vector<std::string> Ledger::column_names() {
+  std::vector<std::string> names;
   for (const char* name : {"given", "taken", "outstanding", "left"})
-    for (const char axis : {'x', 'y', 'z'}) header += fmt::format(",{}_{}_Ns", name, axis);
-  return header + ",exchanged_Ns,residual";
+    for (const char axis : {'x', 'y', 'z'})
+      names.push_back(fmt::format("drag_{}_{}_Ns", name, axis));
+  names.insert(names.end(), {"drag_exchanged_Ns", "ledger_residual"});
+  return names;
 }
 
-std::string Ledger::csv_row(double time) const {
-  std::string row = fmt::format("{:.9g}", time);
+std::vector<double> Ledger::column_values() const {
+  std::vector<double> values;
   for (const Vec3* sum : {&given_, &taken_, &outstanding_, &left_})
-    row += fmt::format(",{:.9g},{:.9g},{:.9g}", (*sum)[0], (*sum)[1], (*sum)[2]);
-  return row + fmt::format(",{:.9g},{:.3g}", exchanged_, residual());
+    values.insert(values.end(), sum->begin(), sum->end());
+  values.insert(values.end(), {exchanged_, residual()});
+  return values;
 }
 
 std::string Ledger::text() const {

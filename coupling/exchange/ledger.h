@@ -53,9 +53,9 @@ class Ledger {
   [[nodiscard]] std::vector<double> values() const;
   void set_values(const std::vector<double>& values);
 
-  // Columns of a CSV file, units in the names, and a row of it; without the end of line.
-  [[nodiscard]] static std::string csv_header();
-  [[nodiscard]] std::string csv_row(double time) const;
+  // Columns of history.csv, units in the names, and their values.
+  [[nodiscard]] static std::vector<std::string> column_names();
+  [[nodiscard]] std::vector<double> column_values() const;
   // One paragraph for the log, idle effects included.
   [[nodiscard]] std::string text() const;
 

@@ -53,7 +53,7 @@ DemHello greet_dem(const Communicator& local, MPI_Comm partner, const GasHello& 
   return greet<GasHello, DemHello>(local, partner, mine);
 }
 
-std::string pairing_faults(const DemHello& dem, const GasHello& gas, const std::string& script) {
+std::string pairing_faults(const DemHello& dem, const GasHello& gas) {
   std::string faults;
   const auto add = [&](const std::string& text) { faults += (faults.empty() ? "" : "\n") + text; };
   const std::string file = gas.input_file.data();
@@ -70,15 +70,15 @@ std::string pairing_faults(const DemHello& dem, const GasHello& gas, const std::
     const double length = gas.grid_hi[d] - gas.grid_lo[d];
     if (std::abs(dem.box_lo[d] - gas.grid_lo[d]) > tolerance * length ||
         std::abs(dem.box_hi[d] - gas.grid_hi[d]) > tolerance * length)
-      add(fmt::format(
-          "{}: the DEM box spans {} = {} to {} m, the gas grid of {} spans {} to {} m "
-          "([grid] lo, hi): make both the same (with 'boundary f' in the script).",
-          script, axes[d], dem.box_lo[d], dem.box_hi[d], file, gas.grid_lo[d], gas.grid_hi[d]));
+      add(
+          fmt::format("the DEM box spans {} = {} to {} m, the gas grid of {} spans {} to {} m "
+                      "([grid] lo, hi): make both the same (with 'boundary f' in the script).",
+                      axes[d], dem.box_lo[d], dem.box_hi[d], file, gas.grid_lo[d], gas.grid_hi[d]));
     if (dem.periodic[d] != gas.periodic[d])
       add(
-          fmt::format("{}: {} is {}periodic in the script ('boundary'), and {}periodic in {} "
+          fmt::format("{} is {}periodic in the script ('boundary'), and {}periodic in {} "
                       "([boundary] {}_lo, {}_hi): make both the same.",
-                      script, axes[d], dem.periodic[d] != 0 ? "" : "not ",
+                      axes[d], dem.periodic[d] != 0 ? "" : "not ",
                       gas.periodic[d] != 0 ? "" : "not ", file, axes[d], axes[d]));
   }
   for (const auto& field : gas_field_list) {
@@ -87,9 +87,9 @@ std::string pairing_faults(const DemHello& dem, const GasHello& gas, const std::
     const std::uint32_t wanted = field.lent ? dem.lent : dem.taken;
     if ((wanted & bit) != 0 && (offered & bit) == 0)
       add(
-          fmt::format("{}: an effect of the couple/gas line needs the field {}, which this gas "
+          fmt::format("an effect of the couple/gas line needs the field {}, which this gas "
                       "solver does not have.",
-                      script, field.name));
+                      field.name));
   }
   if (std::abs(dem.time - gas.time) > 1e-3 * dem.interval)
     add(

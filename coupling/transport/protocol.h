@@ -73,6 +73,7 @@ struct Report {
   double mass_inflow = 0.0;   // [kg/s]
   double mass_outflow = 0.0;  // [kg/s]
   long backflow_faces = 0;
+  long momentum_not_converged = 0;
   long moved_cells = 0;                  // cells whose solids beyond the packing limit were moved
   std::array<double, 3> drag_impulse{};  // lost by the gas in the interval [N s]
   double bubble_diameter = 0.0;          // [m]
@@ -86,8 +87,7 @@ GasHello greet_gas(const Communicator& local, MPI_Comm partner, const DemHello& 
 DemHello greet_dem(const Communicator& local, MPI_Comm partner, const GasHello& mine);
 
 // Faults of a pairing, all together, in words for the user; empty when the two fit.
-// `script`: where the DEM box comes from, for the message.
-std::string pairing_faults(const DemHello& dem, const GasHello& gas, const std::string& script);
+std::string pairing_faults(const DemHello& dem, const GasHello& gas);
 
 void send_command(const Communicator& local, MPI_Comm partner, const Command& command);
 // Waits asleep; the command reaches every gas rank.

@@ -1,6 +1,7 @@
 #include "fix_cfd_coupling/liggghts/fix_couple_gas.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -13,6 +14,7 @@
 #include "fix_cfd_coupling/liggghts/host_session.h"
 // --
 #include "atom.h"
+#include "comm.h"
 #include "domain.h"
 #include "force.h"
 #include "modify.h"
@@ -44,6 +46,28 @@ constexpr const char* usage =
 // Share of the solid volume that lies under the bed height: single grains thrown above the bed are
 // no bed; with 36,500 grains this leaves out the highest 180.
 constexpr double bed_height_share = 0.995;
+
+// Columns of history.csv (docs/liggghts.md), in the order of record(); the ledger's
+// and the probes' pressures follow.
+constexpr std::array<const char*, 19> history_columns{"time_s",
+                                                      "step",
+                                                      "particles",
+                                                      "bed_height_m",
+                                                      "surface_height_m",
+                                                      "bubble_diameter_m",
+                                                      "kinetic_energy_J",
+                                                      "max_overlap",
+                                                      "courant",
+                                                      "gas_substeps",
+                                                      "pressure_iterations",
+                                                      "continuity_residual",
+                                                      "moved_cells",
+                                                      "too_dense",
+                                                      "beyond_walls",
+                                                      "momentum_not_converged",
+                                                      "backflow_faces",
+                                                      "mass_inflow_kg_s",
+                                                      "mass_outflow_kg_s"};
 
 int whole_number(const char* text, const char* keyword, long least) {
   char* end = nullptr;
@@ -125,28 +149,12 @@ void FixCoupleGas::meet_partner() {
   scene.interval = every_ * update->dt;
   scene.time =
       last_coupled_ < 0 ? 0.0 : static_cast<double>(last_coupled_ + every_ - start_) * update->dt;
-  scene.script = "the script";
   coupled_ =
       std::make_unique<gasgrain::CoupledStep>(session.local, session.partner, effects_, scene);
 
   const auto& gas = coupled_->gas();
-  std::vector<std::string> columns{"time_s",
-                                   "step",
-                                   "particles",
-                                   "bed_height_m",
-                                   "surface_height_m",
-                                   "bubble_diameter_m",
-                                   "kinetic_energy_J",
-                                   "max_overlap",
-                                   "courant",
-                                   "gas_substeps",
-                                   "pressure_iterations",
-                                   "continuity_residual",
-                                   "moved_cells",
-                                   "backflow_faces",
-                                   "mass_inflow_kg_s",
-                                   "mass_outflow_kg_s",
-                                   "ledger_residual"};
+  std::vector<std::string> columns(history_columns.begin(), history_columns.end());
+  for (const auto& name : gasgrain::Ledger::column_names()) columns.push_back(name);
   for (int n = 0; n < gas.probes; ++n)
     columns.push_back(fmt::format("p_{:g}m_Pa", gas.probe_heights[n]));
   if (session.local.is_root())
@@ -256,33 +264,41 @@ void FixCoupleGas::apply_forces(double share_of_step) {
 void FixCoupleGas::record() {
   if (update->ntimestep == last_recorded_) return;
   last_recorded_ = update->ntimestep;
+  const gasgrain::Stopwatch watch(coupled_->costs(), coupled_->costs().task("coupling: history"));
   const auto& local = gasgrain::session().local;
   gasgrain::BedMeasures bed(2, domain->boxlo[2], domain->boxhi[2]);
   bed.add(particles());
   local.sum_in_place(bed.values());
   const double overlap = local.max(greatest_overlap());
+  const auto clamps = coupled_->take_clamps();
+  const long too_dense = local.sum(clamps.too_dense);
+  const long beyond_walls = local.sum(clamps.beyond_walls);
   const auto ledger = coupled_->whole_ledger(particles(), records_.data());
-  shown_ = {bed.height(bed_height_share), last_report_.bubble_diameter, ledger.residual(),
-            last_report_.courant_max};
+  const gasgrain::Report& gas = last_report_;
+  shown_ = {bed.height(bed_height_share), gas.bubble_diameter, ledger.residual(), gas.courant_max};
   if (!history_) return;
-  std::vector<double> line{static_cast<double>(update->ntimestep - start_) * update->dt,
-                           static_cast<double>(update->ntimestep),
+  const auto count = [](auto n) { return static_cast<double>(n); };
+  std::vector<double> line{count(update->ntimestep - start_) * update->dt,
+                           count(update->ntimestep),
                            bed.count(),
                            shown_[0],
-                           last_report_.surface_height,
-                           last_report_.bubble_diameter,
+                           gas.surface_height,
+                           gas.bubble_diameter,
                            bed.kinetic_energy(),
                            overlap,
-                           last_report_.courant_max,
-                           static_cast<double>(last_report_.substeps),
-                           static_cast<double>(last_report_.pressure_iterations),
-                           last_report_.continuity_residual,
-                           static_cast<double>(last_report_.moved_cells),
-                           static_cast<double>(last_report_.backflow_faces),
-                           last_report_.mass_inflow,
-                           last_report_.mass_outflow,
-                           ledger.residual()};
-  for (int n = 0; n < coupled_->gas().probes; ++n) line.push_back(last_report_.probe_pressure[n]);
+                           gas.courant_max,
+                           count(gas.substeps),
+                           count(gas.pressure_iterations),
+                           gas.continuity_residual,
+                           count(gas.moved_cells),
+                           count(too_dense),
+                           count(beyond_walls),
+                           count(gas.momentum_not_converged),
+                           count(gas.backflow_faces),
+                           gas.mass_inflow,
+                           gas.mass_outflow};
+  for (const double value : ledger.column_values()) line.push_back(value);
+  for (int n = 0; n < coupled_->gas().probes; ++n) line.push_back(gas.probe_pressure[n]);
   history_->write(line);
 }
 
@@ -325,6 +341,11 @@ void FixCoupleGas::post_run() {
   costs.charge(costs.task("neighbour lists"), timer->array[TIME_NEIGHBOR]);
   costs.charge(costs.task("DEM communication"), timer->array[TIME_COMM]);
   costs.charge(costs.task("output"), timer->array[TIME_OUTPUT]);
+  if (last_coupled_ < 0) return;
+  const auto ledger = coupled_->whole_ledger(particles(), records_.data());
+  if (comm->me != 0) return;
+  for (FILE* sink : {screen, logfile})
+    if (sink != nullptr) fmt::print(sink, "{}\n", ledger.text());
 }
 
 double FixCoupleGas::compute_vector(int n) {

@@ -89,7 +89,8 @@ void FixCoupleGas::restart(char* data) {
   if (state.format != stored_format)
     gasgrain::stop_everything(
         "the checkpoint is of another version of gasgrain: start the run anew.");
-  if (state.every != every_)
+  // The gas is ahead by the interval it was told; before the first coupling it may still be chosen.
+  if (state.last_coupled >= 0 && state.every != every_)
     gasgrain::stop_everything(fmt::format(
         "the checkpoint was written with 'every {}', the script has 'every {}': keep it.",
         state.every, every_));

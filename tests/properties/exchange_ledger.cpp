@@ -138,11 +138,8 @@ TEST(ledger, names_the_effects_that_did_nothing) {
   EXPECT_TRUE(Ledger(Effects{}).idle_effects().empty());
 }
 
-TEST(ledger, writes_as_many_columns_as_it_names) {
-  const auto commas = [](const std::string& line) {
-    return std::count(line.begin(), line.end(), ',');
-  };
-  EXPECT_EQ(commas(Ledger::csv_header()), commas(Ledger(Effects{}).csv_row(0.5)));
+TEST(ledger, has_as_many_values_as_columns) {
+  EXPECT_EQ(Ledger::column_names().size(), Ledger(Effects{}).column_values().size());
 }
 
 }  // namespace
