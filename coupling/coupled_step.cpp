@@ -195,7 +195,10 @@ void CoupledStep::finish() {
 Ledger CoupledStep::whole_ledger(const ParticleView& particles,
                                  const ExchangeRecord* records) const {
   Ledger whole = ledger_;
-  whole.set_outstanding(outstanding_carry(particles.count, records));
+  const Vec3 outstanding = outstanding_carry(particles.count, records);
+  whole.set_outstanding(outstanding);
+  // Of grains removed since the last coupling.
+  whole.add_left(taken_in_interval_ - expected_in_interval_ - outstanding);
   std::vector<double> values = whole.values();
   local_.sum_in_place(values);
   whole.set_values(values);

@@ -1,5 +1,7 @@
 #include "coupling/run_history.h"
 
+#include <fmt/ranges.h>
+
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -31,15 +33,24 @@ void write_run_frame(const std::string& folder, const RunFrame& frame) {
 HistoryFile::HistoryFile(const std::string& folder, const std::vector<std::string>& columns,
                          bool append)
     : name_(folder + "/history.csv"), columns_(columns.size()) {
+  const std::string heading = fmt::format("{}", fmt::join(columns, ","));
   const bool go_on = append && std::filesystem::exists(name_);
+  if (go_on) {
+    std::string written;
+    std::ifstream old(name_);
+    std::getline(old, written);
+    if (written != heading)
+      fail(
+          "{} has other columns than this run: restart with the effects and pressure probes it was "
+          "written with, or move it away.",
+          name_);
+  }
   file_.reset(std::fopen(name_.c_str(), go_on ? "a" : "w"));
   if (!file_)
     fail("{} cannot be written ({}): does the folder exist? 'output DIR' names it.", name_,
          std::strerror(errno));
   if (go_on) return;
-  for (std::size_t c = 0; c < columns.size(); ++c)
-    std::fprintf(file_.get(), "%s%s", c == 0 ? "" : ",", columns[c].c_str());
-  std::fputc('\n', file_.get());
+  std::fprintf(file_.get(), "%s\n", heading.c_str());
   std::fflush(file_.get());
 }
 

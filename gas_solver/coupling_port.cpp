@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "coupling/base/error.h"
 #include "gas_solver/packing_limit.h"
 
 namespace gasgrain {
@@ -87,6 +89,12 @@ void CouplingPort::serve(const std::function<void()>& after_interval) {
 }
 
 void CouplingPort::couple(const Command& command) {
+  constexpr double tolerance = 1e-3;  // of the interval: sums of steps differ by round-off only
+  if (std::abs(command.time - solver_.time()) > tolerance * command.interval)
+    fail(
+        "the DEM program couples at {} s, the gas is at {} s: a coupling was skipped. Do not use "
+        "'run ... pre no' with couple/gas.",
+        command.time, solver_.time());
   const bool fresh = command.fresh != 0;
   if (fresh)
     transport_ = RouteTransport(
@@ -152,6 +160,7 @@ Report CouplingPort::report_of(const GasReport& done) const {
   report.mass_outflow = done.mass_outflow;
   report.backflow_faces = done.backflow_faces;
   report.momentum_not_converged = done.momentum_not_converged;
+  report.pressure_not_converged = done.pressure_not_converged;
   report.moved_cells = moved_cells_;
   for (int d = 0; d < 3; ++d) report.drag_impulse[d] = done.drag_impulse[d];
   report.bubble_diameter = done.bubble_diameter;

@@ -195,6 +195,10 @@ void read_measures(InputTable bed, InputTable output, bool grid_known, GasInput&
   input.output_every = output.number("every", input.output_every, Range::not_negative(), "s");
   input.pressure_probes =
       output.numbers("pressure_probes", std::vector<double>{}, Range::any(), "m");
+  if (input.pressure_probes.size() > most_pressure_probes)
+    output.fault("pressure_probes",
+                 fmt::format("output.pressure_probes has {} heights, at most {} fit.",
+                             input.pressure_probes.size(), most_pressure_probes));
   for (const double z : input.pressure_probes)
     if (grid_known && (z < input.grid.lo[2] || z > input.grid.hi[2]))
       output.fault("pressure_probes",

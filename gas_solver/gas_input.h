@@ -14,6 +14,9 @@ namespace gasgrain {
 enum class PressureMethod { automatic, hypre, fftw };
 enum class Convection { upwind, tvd };
 
+// Probes that a report to the DEM program has room for.
+inline constexpr std::size_t most_pressure_probes = 16;
+
 struct GasInput {
   BoxGrid grid;  // its `periodic` follows from `sides`
 

@@ -86,17 +86,17 @@ void run_coupled(const Options& options, const GasInput& input, const Launch& la
   if (input.output_every > 0)
     snapshots = std::make_unique<Snapshots>(options.out, gas.domain(), restarted ? gas.time() : -1);
   const std::size_t cost_output = gas.costs().task("output");
-  long written = static_cast<long>(std::floor(gas.time() / input.output_every));
+  // The end of an interval is a snapshot's time when the next multiple of `every` has been reached.
+  const auto due = [&] {
+    constexpr double round_off = 1e-6;
+    return static_cast<long>(std::floor(gas.time() / input.output_every + round_off));
+  };
+  long written = snapshots ? due() : 0;
   port.serve([&] {
-    // The end of an interval is a snapshot's time when the next multiple of `every` has been
-    // reached.
-    const double round_off = 1e-6 * input.output_every;
-    const auto reached =
-        static_cast<long>(std::floor((gas.time() + round_off) / input.output_every));
-    if (!snapshots || reached <= written) return;
+    if (!snapshots || due() <= written) return;
     const Stopwatch watch(gas.costs(), cost_output);
     snapshots->write(gas);
-    written = reached;
+    written = due();
   });
   const std::string ledger = gas.costs().json(comm);
   if (comm.is_root()) std::ofstream(options.out + "/ledger.gas.json") << ledger << '\n';
@@ -108,6 +108,8 @@ void run(const Options& options, const Launch& launch) {
   const GasInput input = read_gas_input(options.input, alone);
   rank_layout(input.grid, options.ranks > 0 ? options.ranks : comm.size());
   if (options.check) {
+    if (launch.has_partner())
+      fail("--check reads the input only: leave it out of a coupled launch.");
     if (comm.is_root()) fmt::print("ok\n");
   } else if (alone) {
     run_alone(options, input, comm);
@@ -153,6 +155,10 @@ int main(int argc, char** argv) {
   gasgrain::Options options;
   const int status = gasgrain::parse(argc, argv, options);
   if (status >= 0) {
+    // A partner would wait for ever for a program that only printed its help or an error.
+    int ranks = 1;
+    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    if (ranks > 1) MPI_Abort(MPI_COMM_WORLD, 1);
     MPI_Finalize();
     return status;
   }

@@ -114,6 +114,7 @@ void GasSolver::step(double dt, double share, GasReport& report) {
   report.step = std::min(report.step, dt);
   report.courant_max = std::max(report.courant_max, dt * courant_rate());
   report.pressure_iterations += projection.iterations;
+  if (projection.continuity_residual > input_.tolerance) ++report.pressure_not_converged;
   report.continuity_residual = std::max(report.continuity_residual, projection.continuity_residual);
   report.mass_inflow = projection.mass_inflow;
   report.mass_outflow = projection.mass_outflow;

@@ -36,6 +36,7 @@ struct GasReport {
   double mass_outflow = 0;          // [kg/s]
   long backflow_faces = 0;          // outlet faces where gas comes in
   long momentum_not_converged = 0;  // components that missed the tolerance, sum
+  long pressure_not_converged = 0;  // steps whose continuity missed the tolerance, sum
   // What the gas lost to the grains by drag [N s]: dt sum of (K u - S) V with the mean velocity.
   Vec3 drag_impulse = Vec3::Zero();
   std::vector<double> probe_pressure;  // above the outlet's [Pa], as [output] pressure_probes

@@ -22,12 +22,6 @@ bool is_own_error(const std::string& line) {
   return starts_with(line, "gasgrain-") && line.find("error:") != std::string::npos;
 }
 
-// An error goes on in indented lines and in lines that name a place, 'gas.toml:12: ...'.
-bool continues_error(const std::string& line) {
-  static const std::regex place("[^ :]+:[0-9]+: .*");
-  return starts_with(line, " ") || starts_with(line, "\t") || std::regex_match(line, place);
-}
-
 void add_once(Lines& lines, const std::string& line) {
   if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
 }
@@ -36,7 +30,8 @@ Lines own_errors(const Lines& log) {
   Lines errors;
   bool inside = false;
   for (const auto& line : log) {
-    inside = is_own_error(line) || (inside && continues_error(line));
+    // An empty line ends a message.
+    inside = is_own_error(line) || (inside && !line.empty());
     if (inside) add_once(errors, line);
   }
   return errors;

@@ -47,6 +47,7 @@ constexpr Clamp clamps[] = {
     {"too_dense", "times a grain's void fraction was below 0.2: its drag law was taken at 0.2"},
     {"beyond_walls", "times a grain's centre was outside of the box: its solids went to the wall"},
     {"momentum_not_converged", "components of the gas's momentum missed the tolerance"},
+    {"pressure_not_converged", "steps of the gas missed the tolerance of continuity"},
     {"backflow_faces", "outlet faces (summed over the lines) let gas in"}};
 
 bool has_files(const fs::path& folder) {

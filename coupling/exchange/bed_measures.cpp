@@ -1,6 +1,7 @@
 #include "coupling/exchange/bed_measures.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "coupling/base/error.h"
@@ -29,6 +30,12 @@ void BedMeasures::add(const ParticleView& particles) {
       values_[2] += 0.2 * mass * radius * radius *
                     Eigen::Map<const Vec3>(particles.angular_velocity + 3 * p).squaredNorm();
     const double top = particles.position[3 * p + axis_] + radius;
+    if (!std::isfinite(top) || !std::isfinite(values_[1]))
+      fail(
+          "the position or velocity of a particle is not a number (local index {}): the DEM step "
+          "is "
+          "too long for the contacts' stiffness, or two particles were put into one place.",
+          p);
     const double bin = std::clamp((top - bottom_) / bin_size_, 0.0, last_bin);
     values_[scalars_ + static_cast<std::size_t>(bin)] += sphere_volume(radius);
   }

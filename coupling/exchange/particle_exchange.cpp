@@ -67,13 +67,14 @@ DragRefresh refresh_drag(const ParticleView& particles, const ParticleWeights& w
   // The void fraction waits in K and the gas velocity in u until the law is evaluated.
   weights.sample(void_fraction, [&](std::size_t p, double eps) { records[p].K = eps; });
   weights.sample(gas_velocity, [&](std::size_t p, const Vec3& u) { as_vec3(records[p].u) = u; });
+  constexpr double round_off = 1e-9;  // cells filled to the gas's own limit are at the bound
   DragRefresh refresh;
   std::visit(
       [&](const auto& law) {
         for (std::size_t p = 0; p < particles.count; ++p) {
           ExchangeRecord& record = records[p];
           const double eps = record.K;
-          if (eps < least_drag_void_fraction) ++refresh.too_dense;
+          if (eps < least_drag_void_fraction - round_off) ++refresh.too_dense;
           refresh.least_void_fraction = std::min(refresh.least_void_fraction, eps);
           record.K = law.coefficient(gas, std::clamp(eps, least_drag_void_fraction, 1.0),
                                      (as_vec3(record.u) - particles.v(p)).norm(),

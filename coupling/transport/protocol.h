@@ -16,7 +16,7 @@
 namespace gasgrain {
 
 // Raised with every change of a message's meaning or layout.
-constexpr int protocol_version = 1;
+constexpr int protocol_version = 2;
 
 // Message tags between the programs.
 enum Tag : int { hello_tag = 100, command_tag, report_tag, solids_tag, drag_tag, lent_tag };
@@ -74,6 +74,7 @@ struct Report {
   double mass_outflow = 0.0;  // [kg/s]
   long backflow_faces = 0;
   long momentum_not_converged = 0;
+  long pressure_not_converged = 0;
   long moved_cells = 0;                  // cells whose solids beyond the packing limit were moved
   std::array<double, 3> drag_impulse{};  // lost by the gas in the interval [N s]
   double bubble_diameter = 0.0;          // [m]

@@ -21,16 +21,11 @@
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "pair.h"
+#include "signal_handling.h"
 #include "timer.h"
 #include "universe.h"
 #include "update.h"
 #include "write_restart.h"
-
-// The library's own flags, without a header in Debian's package: the run loop looks at them after
-// every step.
-namespace LAMMPS_NS::SignalHandler {
-extern bool request_quit;
-}
 
 namespace LAMMPS_NS {
 
@@ -49,7 +44,7 @@ constexpr double bed_height_share = 0.995;
 
 // Columns of history.csv (docs/liggghts.md), in the order of record(); the ledger's
 // and the probes' pressures follow.
-constexpr std::array<const char*, 19> history_columns{"time_s",
+constexpr std::array<const char*, 20> history_columns{"time_s",
                                                       "step",
                                                       "particles",
                                                       "bed_height_m",
@@ -65,6 +60,7 @@ constexpr std::array<const char*, 19> history_columns{"time_s",
                                                       "too_dense",
                                                       "beyond_walls",
                                                       "momentum_not_converged",
+                                                      "pressure_not_converged",
                                                       "backflow_faces",
                                                       "mass_inflow_kg_s",
                                                       "mass_outflow_kg_s"};
@@ -92,6 +88,7 @@ FixCoupleGas::FixCoupleGas(LAMMPS* host, int narg, char** arg) : Fix(host, narg,
   extvector = 0;
   restart_global = 1;
   restart_peratom = 1;
+  create_attribute = 1;  // the host then calls set_arrays() for every grain it inserts
   grow_arrays(atom->nmax);
   atom->add_callback(0);
   atom->add_callback(1);
@@ -199,10 +196,6 @@ bigint FixCoupleGas::step_now() const {
   return update->ntimestep;
 }
 
-bigint FixCoupleGas::last_step() const {
-  return update->laststep;
-}
-
 bool FixCoupleGas::due(bigint step) const {
   return (step - start_) % every_ == 0;
 }
@@ -219,9 +212,10 @@ void FixCoupleGas::setup(int) {
     const bigint step = update->ntimestep;
     if (due(step)) record();
     if (step >= start_ && due(step) && last_coupled_ != step) couple();
-    // The host uses the forces of this moment for the first half of the next step only.
-    apply_forces(first_half_booked_ ? 0.0 : 0.5);
-    first_half_booked_ = false;
+    // The host uses the forces of this moment for the first half of the next step only. That half
+    // is in the ledger already when the step before was booked whole; a run of no steps uses none.
+    const bool booked = booked_whole_ || update->laststep == step;
+    apply_forces(booked ? 0.0 : 0.5);
   });
 }
 
@@ -236,6 +230,7 @@ void FixCoupleGas::post_force(int) {
     });
   }
   apply_forces(last ? 0.5 : 1.0);
+  booked_whole_ = !last;
 }
 
 void FixCoupleGas::couple() {
@@ -294,6 +289,7 @@ void FixCoupleGas::record() {
                            count(too_dense),
                            count(beyond_walls),
                            count(gas.momentum_not_converged),
+                           count(gas.pressure_not_converged),
                            count(gas.backflow_faces),
                            gas.mass_inflow,
                            gas.mass_outflow};

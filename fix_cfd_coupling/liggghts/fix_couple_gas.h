@@ -58,7 +58,8 @@ class FixCoupleGas : public Fix {
     bigint start;
     bigint last_coupled;
     int every;
-    int half_to_come;
+    int booked_whole;
+    int ledger_values;
     gasgrain::Report last_report;
   };
 
@@ -67,7 +68,6 @@ class FixCoupleGas : public Fix {
   [[nodiscard]] gasgrain::ParticleView particles() const;
   [[nodiscard]] bool due(bigint step) const;
   [[nodiscard]] bigint step_now() const;
-  [[nodiscard]] bigint last_step() const;
   void couple();
   void record();
   void apply_forces(double share_of_step);
@@ -88,7 +88,7 @@ class FixCoupleGas : public Fix {
   bigint last_coupled_ = -1;                       // step; -1: never
   bigint last_recorded_ = -1;                      // step
   bool resumed_ = false;
-  bool first_half_booked_ = false;       // a restart's first forces are in the ledger already
+  bool booked_whole_ = false;            // the last step's force was booked with both of its halves
   std::vector<double> restored_ledger_;  // of a checkpoint, until it is handed on
   gasgrain::Report last_report_;         // rank 0
   std::array<double, 4> shown_{};        // f_ID[1..4]

@@ -16,7 +16,7 @@ using gasgrain::ExchangeRecord;
 namespace {
 
 // Raised with every change of StoredState.
-constexpr bigint stored_format = 1;
+constexpr bigint stored_format = 2;
 
 }  // namespace
 
@@ -69,14 +69,11 @@ int FixCoupleGas::maxsize_restart() {
 void FixCoupleGas::write_restart(FILE* file) {
   const auto ledger = coupled_->whole_ledger(particles(), records_.data()).values();
   if (comm->me != 0) return;
-  guarded([&] {
-    if (last_coupled_ >= 0) coupled_->checkpoint(step_now());
-  });
-  // Within a run the force of this step is booked whole; its second half is still to come and will
-  // be brought by the resumed run's first forces.
-  const bool half_to_come = step_now() != last_step();
-  StoredState state{stored_format,        start_,      last_coupled_, every_,
-                    half_to_come ? 1 : 0, last_report_};
+  guarded([&] { coupled_->checkpoint(step_now()); });
+  StoredState state{stored_format,         start_,
+                    last_coupled_,         every_,
+                    booked_whole_ ? 1 : 0, static_cast<int>(ledger.size()),
+                    last_report_};
   const int bytes = static_cast<int>(sizeof(state) + ledger.size() * sizeof(double));
   fwrite(&bytes, sizeof(int), 1, file);
   fwrite(&state, sizeof(state), 1, file);
@@ -94,12 +91,17 @@ void FixCoupleGas::restart(char* data) {
     gasgrain::stop_everything(fmt::format(
         "the checkpoint was written with 'every {}', the script has 'every {}': keep it.",
         state.every, every_));
-  start_ = state.start;
+  if (state.start != start_)
+    gasgrain::stop_everything(fmt::format(
+        "the checkpoint was written with 'start {}', the script has 'start {}': keep it.",
+        state.start, start_));
+  if (state.ledger_values != static_cast<int>(gasgrain::Ledger(effects_).values().size()))
+    gasgrain::stop_everything(
+        "the checkpoint was written with other effects on the couple/gas line: keep them.");
   last_coupled_ = state.last_coupled;
-  first_half_booked_ = state.half_to_come != 0;
+  booked_whole_ = state.booked_whole != 0;
   last_report_ = state.last_report;
-  // The host hands over the bytes without their number; the effects fix it.
-  restored_ledger_.resize(gasgrain::Ledger(effects_).values().size());
+  restored_ledger_.resize(static_cast<std::size_t>(state.ledger_values));
   std::memcpy(restored_ledger_.data(), data + sizeof(state),
               restored_ledger_.size() * sizeof(double));
   resumed_ = true;

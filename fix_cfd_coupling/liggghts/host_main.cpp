@@ -39,10 +39,12 @@ void run(int argc, char** argv) {
   gasgrain::redirect_world_to(launch.local().handle());
   std::signal(SIGUSR1, wish_to_stop);
 
-  auto* host = new LAMMPS_NS::LAMMPS(argc, argv, launch.local().handle());
+  LAMMPS_NS::LAMMPS* host = nullptr;
   try {
+    host = new LAMMPS_NS::LAMMPS(argc, argv, launch.local().handle());
     host->input->file();
   } catch (const gasgrain::ScriptQuit&) {
+    // `quit` in the script, or an option such as -help that ends the host while it is made.
   }
   delete host;
   if (launch.has_partner() && !gasgrain::session().greeted)

@@ -63,6 +63,13 @@ class Errors(unittest.TestCase):
                                   (scene.folder / "in.liggghts").read_text().splitlines()
                                   if not line.startswith("fix y_"))))
 
+    def test_a_bad_option_of_the_gas_program_ends_the_dem_too(self):
+        with Scene() as scene:
+            status, text, seconds = scene.run(timeout=60, gas_options=("--no-such-option",))
+        self.assertNotEqual(status, 0, text)
+        self.assertLess(seconds, SOON, text)
+        self.assertIn("--no-such-option", text)
+
     def test_a_script_that_never_couples(self):
         self.expect(["without meeting its partner", "couple/gas every"], couple="", steps=10)
 
