@@ -94,6 +94,18 @@ Outline read_outline(InputTable& table, const Rectangle& side) {
   const std::string shape = table.choice("shape", std::string("whole"),
                                          {inflow_shape_names.begin(), inflow_shape_names.end()});
   Outline outline{side, false};
+  // The reader knows a key of one [[inflow]] in all of them: those of another shape are told here.
+  const auto of_another_shape = [&](const char* key) {
+    if (table.has(key))
+      table.fault(key, fmt::format("inflow.{} does not go with shape = \"{}\": set the shape that "
+                                   "has it, or leave it out.",
+                                   key, shape));
+  };
+  if (shape != inflow_shape_names[static_cast<int>(InflowShape::rectangle)])
+    of_another_shape("size");
+  if (shape != inflow_shape_names[static_cast<int>(InflowShape::circle)])
+    of_another_shape("diameter");
+  if (shape == inflow_shape_names[static_cast<int>(InflowShape::whole)]) of_another_shape("center");
   if (shape == inflow_shape_names[static_cast<int>(InflowShape::whole)]) return outline;
   outline.round = shape == inflow_shape_names[static_cast<int>(InflowShape::circle)];
   const std::vector<double> middle{0.5 * (side.lo[0] + side.hi[0]),

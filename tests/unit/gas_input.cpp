@@ -104,6 +104,13 @@ TEST(gas_input, patch_outside_its_side_names_both_extents) {
                "z_lo: x 0 to 0.15, y 0 to 0.02 m.");
 }
 
+TEST(gas_input, keys_of_another_shape_are_not_ignored) {
+  expect_fault(changed("end = 1\n",
+                       "end = 1\n[[inflow]]\nside = \"z_lo\"\ncenter = [0.5, 0.5]\n"
+                       "size = [0.1, 0.1]\nvelocity = 1\n"),
+               "inflow.size does not go with shape = \"whole\"");
+}
+
 TEST(gas_input, inflow_needs_an_outlet) {
   expect_fault(changed("z_hi = \"outlet\"", ""), "no side lets it out");
 }
