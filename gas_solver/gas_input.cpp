@@ -47,6 +47,7 @@ void read_time(InputTable table, GasInput& input, bool alone) {
 
 void read_sides(InputTable table, bool grid_known, GasInput& input) {
   std::vector<std::string> kinds;
+  kinds.reserve(boundary_kinds.size());
   for (const BoundaryKind* kind : boundary_kinds) kinds.emplace_back(kind->name);
   for (int side = 0; side < side_count; ++side) {
     const std::string key(side_names[side]);

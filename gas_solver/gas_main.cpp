@@ -152,24 +152,23 @@ int main(int argc, char** argv) {
   MPI_Init(&argc, &argv);
   // mpirun passes the wish to stop on to all; the DEM program decides when, the gas follows it.
   std::signal(SIGUSR1, SIG_IGN);
-  gasgrain::Options options;
-  const int status = gasgrain::parse(argc, argv, options);
-  if (status >= 0) {
-    // A partner would wait for ever for a program that only printed its help or an error.
-    int ranks = 1;
-    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-    if (ranks > 1) MPI_Abort(MPI_COMM_WORLD, 1);
-    MPI_Finalize();
-    return status;
-  }
   gasgrain::Communicator local(MPI_COMM_WORLD);
+  int status = 0;
   try {
-    const gasgrain::Launch launch(gasgrain::Program::gas);
-    local = launch.local();
-    gasgrain::run(options, launch);
+    gasgrain::Options options;
+    status = gasgrain::parse(argc, argv, options);
+    if (status >= 0) {
+      // A partner would wait for ever for a program that only printed its help or an error.
+      if (local.size() > 1) MPI_Abort(MPI_COMM_WORLD, 1);
+    } else {
+      const gasgrain::Launch launch(gasgrain::Program::gas);
+      local = launch.local();
+      gasgrain::run(options, launch);
+      status = 0;
+    }
   } catch (const std::exception& e) {
     gasgrain::stop(local, e.what());
   }
   MPI_Finalize();
-  return 0;
+  return status;
 }

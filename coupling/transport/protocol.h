@@ -100,10 +100,10 @@ Report receive_report(const Communicator& local, MPI_Comm partner);
 // Every rank tells its box to all ranks of the partner. Collective over both programs.
 std::vector<IndexBox> swap_boxes(MPI_Comm partner, const IndexBox& mine);
 
-template <std::size_t N>
-void put_text(std::array<char, N>& place, const std::string& text) {
+template <std::size_t size>
+void put_text(std::array<char, size>& place, const std::string& text) {
   place.fill('\0');
-  text.copy(place.data(), N - 1);
+  text.copy(place.data(), size - 1);
 }
 
 }  // namespace gasgrain
