@@ -76,8 +76,6 @@ class CoupledStep {
     long beyond_walls = 0;  // particles whose centre was outside of the box
   };
   Clamps take_clamps();
-  // Bytes that this rank has sent to the gas.
-  [[nodiscard]] long bytes_sent() const { return transport_.bytes_sent(); }
 
  private:
   [[nodiscard]] IndexBox tile_of(const DemRegion& region) const;

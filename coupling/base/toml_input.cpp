@@ -80,32 +80,6 @@ double InputTable::number(const std::string& key, std::optional<double> fallback
   return *value;
 }
 
-int InputTable::integer(const std::string& key, std::optional<int> fallback, Range range) {
-  const toml::node* node = find(key, !fallback);
-  if (node == nullptr) return fallback.value_or(0);
-  if (!node->is_integer()) {
-    fault(key, fmt::format("{} must be a whole number.", dotted(path_, key)));
-    return fallback.value_or(0);
-  }
-  const double value = static_cast<double>(*node->value<int64_t>());
-  if (!range.holds(value) || std::abs(value) > std::numeric_limits<int>::max()) {
-    fault(key, fmt::format("{} = {} is out of range: it must be {}.", dotted(path_, key), value,
-                           range.text()));
-    return fallback.value_or(0);
-  }
-  return static_cast<int>(value);
-}
-
-bool InputTable::flag(const std::string& key, std::optional<bool> fallback) {
-  const toml::node* node = find(key, !fallback);
-  if (node == nullptr) return fallback.value_or(false);
-  if (!node->is_boolean()) {
-    fault(key, fmt::format("{} must be true or false.", dotted(path_, key)));
-    return fallback.value_or(false);
-  }
-  return *node->value<bool>();
-}
-
 std::string InputTable::text(const std::string& key, std::optional<std::string> fallback) {
   const toml::node* node = find(key, !fallback);
   if (node == nullptr) return fallback.value_or("");
@@ -128,29 +102,6 @@ std::string InputTable::choice(const std::string& key, std::optional<std::string
                            nearest_name(word, allowed).empty() ? "" : suggestion(word, allowed),
                            fmt::join(allowed, ", ")));
   return otherwise;
-}
-
-std::vector<std::string> InputTable::choices(const std::string& key,
-                                             std::vector<std::string> fallback,
-                                             const std::vector<std::string>& allowed) {
-  const toml::node* node = find(key, false);
-  if (node == nullptr) return fallback;
-  const toml::array* list = node->as_array();
-  if (list == nullptr) {
-    fault(key, fmt::format("{} must be a list of names in quotes.", dotted(path_, key)));
-    return fallback;
-  }
-  std::vector<std::string> words;
-  for (const auto& element : *list) {
-    const auto word = element.value<std::string>();
-    if (word && std::find(allowed.begin(), allowed.end(), *word) != allowed.end())
-      words.push_back(*word);
-    else
-      fault(key, fmt::format("{} holds {}, which is unknown. Allowed: {}.", dotted(path_, key),
-                             word ? "\"" + *word + "\"" : "something that is no name",
-                             fmt::join(allowed, ", ")));
-  }
-  return words;
 }
 
 std::vector<double> InputTable::numbers(const std::string& key,

@@ -44,13 +44,9 @@ class InputTable {
   // message.
   double number(const std::string& key, std::optional<double> fallback, Range range,
                 const std::string& unit);
-  int integer(const std::string& key, std::optional<int> fallback, Range range);
-  bool flag(const std::string& key, std::optional<bool> fallback);
   std::string text(const std::string& key, std::optional<std::string> fallback);
   std::string choice(const std::string& key, std::optional<std::string> fallback,
                      const std::vector<std::string>& allowed);
-  std::vector<std::string> choices(const std::string& key, std::vector<std::string> fallback,
-                                   const std::vector<std::string>& allowed);
   std::vector<double> numbers(const std::string& key, std::optional<std::vector<double>> fallback,
                               Range range, const std::string& unit);
   Vec3 vec3(const std::string& key, std::optional<Vec3> fallback, Range range,
