@@ -5,6 +5,7 @@
 
 #include "coupling/base/error.h"
 #include "gas_solver/io/checkpoint.h"
+#include "gas_solver/mass_source.h"
 #include "gas_solver/operators/require_finite.h"
 
 namespace gasgrain {
@@ -24,19 +25,31 @@ GasSolver::GasSolver(const GasInput& input, const Communicator& comm)
       domain_(input_.grid, comm),
       halo_(domain_),
       hydrostatic_(input_),
-      inflow_(domain_, input_.inflows),
+      inflow_(domain_, input_.inflows, input_.density),
       state_(domain_.box()),
+      levels_(input_, domain_.box(), state_),
       predictor_(domain_, input_, halo_),
       projection_(domain_, input_, halo_),
       front_view_(domain_, input_.surface_solids, input_.bubble_void_fraction),
       probes_(domain_, input_.pressure_probes),
-      means_(domain_, input_.sides, hydrostatic_.gradient()),
+      means_(domain_, input_),
       void_fraction_from_(domain_.box(), 1.0),
       void_fraction_to_(domain_.box(), 1.0),
       task_momentum_(costs_.task("momentum")),
       task_pressure_(costs_.task("pressure")),
       task_means_(costs_.task("means")),
-      task_measures_(costs_.task("measures")) {}
+      task_measures_(costs_.task("measures")) {
+  if (hydrostatic_.compressibility() > 0) {
+    state_.density = Array3<double>(domain_.box());
+    for_each_cell(own(), [&](int i, int j, int k) {
+      state_.density(i, j, k) = hydrostatic_.density(i, j, k);
+    });
+    halo_.exchange({&state_.density});
+    fill_ghost_cells(domain_, state_.density);
+  }
+  if (!input_.mass_sources.empty())
+    set_mass_source(mass_source_field(domain_, input_.mass_sources));
+}
 
 void GasSolver::set_void_fraction(const Array3<double>& eps) {
   for_each_cell(own(), [&](int i, int j, int k) { void_fraction_to_(i, j, k) = eps(i, j, k); });
@@ -44,7 +57,7 @@ void GasSolver::set_void_fraction(const Array3<double>& eps) {
   fill_ghost_cells(domain_, void_fraction_to_);
   if (!has_void_fraction_) {
     void_fraction_from_ = state_.void_fraction = void_fraction_to_;
-    projection_.update_fluxes(state_, inflow_.at(time_));
+    projection_.update_fluxes(state_, inflow_.at(time_, state_.density));
   }
   has_void_fraction_ = true;
 }
@@ -58,6 +71,13 @@ void GasSolver::set_drag(const Array3<double>& coefficient, const CellVector& so
   halo_.exchange({&state_.drag_coefficient, &sx, &sy, &sz});
   for (Array3<double>* field : {&state_.drag_coefficient, &sx, &sy, &sz})
     fill_ghost_cells(domain_, *field);
+}
+
+void GasSolver::set_mass_source(const Array3<double>& source) {
+  if (state_.mass_source.size() == 0) state_.mass_source = Array3<double>(domain_.box());
+  for_each_cell(own(), [&](int i, int j, int k) { state_.mass_source(i, j, k) = source(i, j, k); });
+  halo_.exchange({&state_.mass_source});
+  fill_ghost_cells(domain_, state_.mass_source);
 }
 
 GasReport GasSolver::advance(double interval) {
@@ -84,7 +104,12 @@ GasReport GasSolver::advance(double interval) {
     time_ = begin + done;
     step(dt, done / interval, report);
     const Stopwatch watch(costs_, task_means_);
-    means_.add(state_, dt / interval);
+    // What acted on the grains in the step: Crank-Nicolson's drag is that of both its ends.
+    const double weight = dt / interval;
+    const double at_end = time_weight(input_.scheme);
+    means_.add_velocity(state_.velocity, at_end * weight);
+    if (at_end < 1) means_.add_velocity(levels_.velocity_before(state_), (1 - at_end) * weight);
+    means_.add_pressure(state_, weight);
   }
   void_fraction_from_ = void_fraction_to_;
   report.time = time_;
@@ -94,37 +119,55 @@ GasReport GasSolver::advance(double interval) {
 }
 
 void GasSolver::step(double dt, double share, GasReport& report) {
-  std::swap(state_.void_fraction_before, state_.void_fraction);
-  for (std::size_t n = 0; n < state_.void_fraction.size(); ++n)
-    state_.void_fraction[n] = (1 - share) * void_fraction_from_[n] + share * void_fraction_to_[n];
-  const std::vector<InflowFace>& inflow = inflow_.at(time_);
+  levels_.begin(state_, dt, void_fraction_from_, void_fraction_to_, share);
+  const std::vector<InflowFace>& inflow = inflow_.at(time_, state_.density);
   for (const InflowFace& face : inflow)
     state_.velocity[axis_of(face.side)](face.face[0], face.face[1], face.face[2]) =
         is_high(face.side) ? -face.volume_flux : face.volume_flux;
   fill_velocity_layers();
-  {
-    const Stopwatch watch(costs_, task_momentum_);
-    const MomentumReport momentum = predictor_.predict(state_, dt, inflow);
-    report.momentum_not_converged += momentum.not_converged;
-  }
-  const Stopwatch watch(costs_, task_pressure_);
-  const ProjectionReport projection = projection_.project(state_, dt, inflow);
+  predict_and_project(dt, inflow, report);
   require_finite(domain_, state_, time_);
   report.substeps += 1;
   report.step = std::min(report.step, dt);
   report.courant_max = std::max(report.courant_max, dt * courant_rate());
-  report.pressure_iterations += projection.iterations;
-  if (projection.continuity_residual > input_.tolerance) ++report.pressure_not_converged;
-  report.continuity_residual = std::max(report.continuity_residual, projection.continuity_residual);
-  report.mass_inflow = projection.mass_inflow;
-  report.mass_outflow = projection.mass_outflow;
-  report.backflow_faces = projection.backflow_faces;
+}
+
+void GasSolver::predict_and_project(double dt, const std::vector<InflowFace>& inflow,
+                                    GasReport& report) {
+  const bool outer = input_.pressure_velocity != PressureVelocity::projection;
+  const int most = outer ? input_.outer_iterations : 1;
+  ProjectionReport done;
+  bool converged = !outer;
+  for (int n = 0; n < most; ++n) {
+    if (n > 0) levels_.iterate(state_);
+    {
+      const Stopwatch watch(costs_, task_momentum_);
+      report.momentum_not_converged +=
+          predictor_.predict(state_, {dt, levels_.velocity_before(state_), inflow}).not_converged;
+    }
+    const Stopwatch watch(costs_, task_pressure_);
+    done = projection_.project(state_, dt, inflow, predictor_.mobility());
+    report.pressure_iterations += done.iterations;
+    ++report.outer_iterations;
+    if (outer && done.mass_defect <= input_.outer_tolerance) {
+      converged = true;
+      break;
+    }
+  }
+  if (!converged) ++report.outer_not_converged;
+  if (done.continuity_residual > input_.tolerance) ++report.pressure_not_converged;
+  report.mass_defect = std::max(report.mass_defect, done.mass_defect);
+  report.continuity_residual = std::max(report.continuity_residual, done.continuity_residual);
+  report.mass_imbalance = std::max(report.mass_imbalance, done.mass_imbalance);
+  report.mass_inflow = done.sides.mass_inflow;
+  report.mass_outflow = done.sides.mass_outflow;
+  report.backflow_faces = done.sides.backflow_faces;
 }
 
 void GasSolver::fill_velocity_layers() {
   auto& [u, v, w] = state_.velocity;
   halo_.exchange({&u, &v, &w});
-  for (int d = 0; d < 3; ++d) fill_ghost_velocities(domain_, input_.sides, d, state_.velocity[d]);
+  for (int d = 0; d < 3; ++d) fill_ghost_velocities(domain_, input_.walls(), d, state_.velocity[d]);
 }
 
 // Greatest |u| / h of all faces [1/s].
@@ -142,7 +185,8 @@ double GasSolver::courant_rate() const {
 }
 
 double GasSolver::next_step(double left) {
-  const double of_inflow = domain_.comm().max(inflow_.courant_rate(time_ + input_.step));
+  inflow_.at(time_ + input_.step, state_.density);
+  const double of_inflow = domain_.comm().max(inflow_.courant_rate());
   const double rate = std::max(courant_rate(), of_inflow);
   return std::min({input_.step, left, rate > 0 ? input_.courant_max / rate : left});
 }
@@ -165,15 +209,21 @@ void GasSolver::write_checkpoint(const std::string& file) {
 void GasSolver::read_checkpoint(const std::string& file) {
   CheckpointReader in(file, domain_);
   exchange_with(in);
-  for (Array3<double>* field :
-       {&state_.void_fraction, &state_.drag_coefficient, &state_.pressure, &state_.drag_source[0],
-        &state_.drag_source[1], &state_.drag_source[2]}) {
+  for (Array3<double>* field : {&state_.void_fraction, &state_.drag_coefficient, &state_.pressure,
+                                &state_.density, &state_.mass_source, &state_.drag_source[0],
+                                &state_.drag_source[1], &state_.drag_source[2]}) {
+    if (field->size() == 0) continue;
     halo_.exchange({field});
     fill_ghost_cells(domain_, *field);
   }
   fill_velocity_layers();
   void_fraction_from_ = void_fraction_to_ = state_.void_fraction;
-  projection_.update_fluxes(state_, inflow_.at(time_));
+  for (CellVector* flux : {&state_.mass_flux, &state_.mass_flux_before})
+    for (int d = 0; d < 3; ++d) {
+      if ((*flux)[d].size() == 0) continue;
+      halo_.exchange({&(*flux)[d]});
+      fill_ghost_fluxes(domain_, d, (*flux)[d]);
+    }
   projection_.forget();
 }
 
@@ -186,10 +236,16 @@ void GasSolver::exchange_with(File& file) {
   file.field("void_fraction", of_cells, state_.void_fraction);
   file.field("drag_coefficient", of_cells, state_.drag_coefficient);
   file.field("pressure", of_cells, state_.pressure);
+  if (state_.density.size() > 0) file.field("density", of_cells, state_.density);
+  if (state_.mass_source.size() > 0) file.field("mass_source", of_cells, state_.mass_source);
+  file.number("last_step", levels_.last_step);
   for (int d = 0; d < 3; ++d) {
     const char axis = "xyz"[d];
     file.field(std::string("drag_source_") + axis, of_cells, state_.drag_source[d]);
     file.field(std::string("velocity_") + axis, d, state_.velocity[d]);
+    file.field(std::string("mass_flux_") + axis, d, state_.mass_flux[d]);
+    if (state_.mass_flux_before[d].size() > 0)
+      file.field(std::string("mass_flux_before_") + axis, d, state_.mass_flux_before[d]);
     file.field(std::string("mean_velocity_") + axis, of_cells, means_.velocity[d]);
     file.field(std::string("mean_pressure_gradient_") + axis, of_cells,
                means_.pressure_gradient[d]);

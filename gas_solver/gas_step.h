@@ -2,8 +2,9 @@
 // back.
 //
 // A step of time, in order: void fraction and inflow of its end; prediction of the velocity with
-// the old pressure; projection, which carries the drag implicitly; sums for the means. An interval
-// of the coupling is split into equal steps that respect [time] step and courant_max.
+// the old pressure; projection, which carries the drag implicitly (SIMPLE and SIMPLEC repeat these
+// two); sums for the means. An interval of the coupling is split into equal steps that respect
+// [time] step and courant_max.
 #pragma once
 
 #include <array>
@@ -21,6 +22,7 @@
 #include "gas_solver/measures/probes.h"
 #include "gas_solver/momentum/predictor.h"
 #include "gas_solver/pressure/projection.h"
+#include "gas_solver/time_levels.h"
 
 namespace gasgrain {
 
@@ -28,14 +30,19 @@ namespace gasgrain {
 struct GasReport {
   double time = 0;  // at the interval's end [s]
   int substeps = 0;
-  double step = 0;                  // shortest of them [s]
-  double courant_max = 0;           // greatest |u| dt / h
-  int pressure_iterations = 0;      // sum
-  double continuity_residual = 0;   // greatest of a cell, relative to the flow through the grid
-  double mass_inflow = 0;           // [kg/s]
-  double mass_outflow = 0;          // [kg/s]
+  double step = 0;                 // shortest of them [s]
+  double courant_max = 0;          // greatest |u| dt / h
+  int outer_iterations = 0;        // sum; one a step with the projection
+  int pressure_iterations = 0;     // sum
+  double mass_defect = 0;          // of the last prediction of a step, as continuity_residual
+  double continuity_residual = 0;  // greatest of a cell, relative to the flow through the grid
+  double mass_inflow = 0;          // [kg/s]
+  double mass_outflow = 0;         // [kg/s]
+  // Inflow + sources - outflow - storage of the whole grid, relative; greatest of the steps.
+  double mass_imbalance = 0;
   long backflow_faces = 0;          // outlet faces where gas comes in
   long momentum_not_converged = 0;  // components that missed the tolerance, sum
+  long outer_not_converged = 0;     // steps that used all outer iterations, sum
   long pressure_not_converged = 0;  // steps whose continuity missed the tolerance, sum
   // What the gas lost to the grains by drag [N s]: dt sum of (K u - S) V with the mean velocity.
   Vec3 drag_impulse = Vec3::Zero();
@@ -58,6 +65,10 @@ class GasSolver {
   void set_void_fraction(const Array3<double>& eps);
   // K [kg/(m3 s)] and S [N/m3] of the next interval, over own(): the gas loses K u - S. Collective.
   void set_drag(const Array3<double>& coefficient, const CellVector& source);
+
+  // S_m [kg/(m3 s)] of the next intervals, over own(), in place of [[mass_source]]. Gas that
+  // appears brings no momentum: what it brings belongs to the source of set_drag().
+  void set_mass_source(const Array3<double>& source);
 
   // Collective.
   GasReport advance(double interval);
@@ -85,6 +96,7 @@ class GasSolver {
 
  private:
   void step(double step, double share, GasReport& report);
+  void predict_and_project(double step, const std::vector<InflowFace>& inflow, GasReport& report);
   [[nodiscard]] double next_step(double left);
   [[nodiscard]] double courant_rate() const;
   void fill_velocity_layers();
@@ -98,6 +110,7 @@ class GasSolver {
   Hydrostatic hydrostatic_;
   Inflow inflow_;
   GasState state_;
+  TimeLevels levels_;
   Predictor predictor_;
   Projection projection_;
   FrontView front_view_;

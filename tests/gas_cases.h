@@ -28,7 +28,7 @@ inline constexpr Sides column{&wall_free_slip, &wall_free_slip, &wall_free_slip,
                               &wall_free_slip, &wall_free_slip, &outlet};
 
 inline InflowPatch whole_side(const GasInput& input, int side, double velocity) {
-  return {side, {side_rectangle(input.grid, side), false}, velocity, 0.0};
+  return {side, {side_rectangle(input.grid, side), false}, velocity, 0.0, 0.0, {}, {}};
 }
 
 inline Array3<double> filled(const IndexBox& box, const Field& value) {

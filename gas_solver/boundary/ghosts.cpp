@@ -3,8 +3,14 @@
 namespace gasgrain {
 namespace {
 
-// Repeats, times `factor`, the layer `first` of an axis over the layers outside of it.
-void repeat_outwards(Array3<double>& field, int side, int first, double factor) {
+// What the layers outside take from the value inside.
+struct Mirror {
+  double factor = 1.0;
+  double addend = 0.0;
+};
+
+// Mirrors the layer `first` of an axis over the layers outside of it.
+void repeat_outwards(Array3<double>& field, int side, int first, const Mirror& mirror) {
   const int axis = axis_of(side);
   const IndexBox box = field.box();
   IndexBox ghosts = box;
@@ -13,34 +19,37 @@ void repeat_outwards(Array3<double>& field, int side, int first, double factor) 
   for_each_cell(ghosts, [&](int i, int j, int k) {
     const auto o = field.offset(i, j, k);
     const int n = axis == 0 ? i : (axis == 1 ? j : k);
-    field[o] = factor * field[o + (first - n) * stride];
+    field[o] = mirror.factor * field[o + (first - n) * stride] + mirror.addend;
   });
 }
 
-template <class Factor>
-void fill(const Domain& domain, int component, Array3<double>& field, Factor&& factor) {
+template <class MirrorOfSide>
+void fill(const Domain& domain, int component, Array3<double>& field, MirrorOfSide&& mirror) {
   for (int side = 0; side < side_count; ++side) {
     if (!domain.touches(side)) continue;
     const int axis = axis_of(side);
     const int last = axis == component ? domain.own().hi[axis] : domain.own().hi[axis] - 1;
     repeat_outwards(field, side, is_high(side) ? last : domain.own().lo[axis],
-                    axis == component ? 1.0 : factor(side));
+                    axis == component ? Mirror{} : mirror(side));
   }
 }
 
 }  // namespace
 
 void fill_ghost_cells(const Domain& domain, Array3<double>& cells) {
-  fill(domain, -1, cells, [](int) { return 1.0; });
+  fill(domain, -1, cells, [](int) { return Mirror{}; });
 }
 
-void fill_ghost_velocities(const Domain& domain, const Sides& sides, int component,
+void fill_ghost_velocities(const Domain& domain, const Walls& walls, int component,
                            Array3<double>& velocity) {
-  fill(domain, component, velocity, [&](int side) { return sides[side]->sticks ? -1.0 : 1.0; });
+  fill(domain, component, velocity, [&](int side) {
+    return walls.sides[side]->sticks ? Mirror{-1.0, 2.0 * walls.velocity[side][component]}
+                                     : Mirror{};
+  });
 }
 
 void fill_ghost_fluxes(const Domain& domain, int component, Array3<double>& flux) {
-  fill(domain, component, flux, [](int) { return 1.0; });
+  fill(domain, component, flux, [](int) { return Mirror{}; });
 }
 
 }  // namespace gasgrain

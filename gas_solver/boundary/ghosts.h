@@ -1,8 +1,8 @@
 // Fills the layers outside of the domain, after the halo. Cells there repeat the cell inside. Faces
-// along a side mirror the face inside with its sign turned where the gas sticks to the side, and
-// repeat it elsewhere; beyond a face on the side they repeat that face. All layers of one place
-// hold the same value, so that a limiter which looks outside finds no slope and falls back to
-// upwind.
+// along a side mirror the face inside at the side's velocity U, 2 U - u, where the gas sticks to
+// the side, and repeat it elsewhere; beyond a face on the side they repeat that face. All layers of
+// one place hold the same value, so that a limiter which looks outside finds no slope and falls
+// back to upwind.
 #pragma once
 
 #include "gas_solver/boundary/kinds.h"
@@ -11,7 +11,7 @@
 namespace gasgrain {
 
 void fill_ghost_cells(const Domain& domain, Array3<double>& cells);
-void fill_ghost_velocities(const Domain& domain, const Sides& sides, int component,
+void fill_ghost_velocities(const Domain& domain, const Walls& walls, int component,
                            Array3<double>& velocity);
 // Mass fluxes: repeated everywhere.
 void fill_ghost_fluxes(const Domain& domain, int component, Array3<double>& flux);

@@ -34,8 +34,8 @@ Rectangle side_rectangle(const BoxGrid& grid, int side) {
   return {{grid.lo[plane[0]], grid.lo[plane[1]]}, {grid.hi[plane[0]], grid.hi[plane[1]]}};
 }
 
-Inflow::Inflow(const Domain& domain, std::vector<InflowPatch> patches)
-    : domain_(domain), patches_(std::move(patches)) {
+Inflow::Inflow(const Domain& domain, std::vector<InflowPatch> patches, double constant_density)
+    : domain_(domain), patches_(std::move(patches)), constant_density_(constant_density) {
   std::map<std::pair<int, Int3>, std::size_t> known;
   for (std::size_t n = 0; n < patches_.size(); ++n) {
     const InflowPatch& patch = patches_[n];
@@ -51,30 +51,39 @@ Inflow::Inflow(const Domain& domain, std::vector<InflowPatch> patches)
     });
     for (const auto& [face, area] : areas) {
       const auto [place, is_new] = known.try_emplace({patch.side, face}, faces_.size());
-      if (is_new) faces_.push_back({patch.side, face, 0, 0});
+      if (is_new) faces_.push_back({patch.side, face, 0, 0, 0});
       const double face_area = face_rectangle(domain.grid(), patch.side, face).area();
       parts_.push_back({place->second, n, area / face_area * (patch.outline.area() / covered)});
     }
   }
 }
 
-const std::vector<InflowFace>& Inflow::at(double time) {
-  for (InflowFace& face : faces_) face.volume_flux = face.momentum_flux = 0;
+const std::vector<InflowFace>& Inflow::at(double time, const Array3<double>& density) {
+  for (InflowFace& face : faces_) face.volume_flux = face.mass_flux = face.momentum_flux = 0;
   for (const Part& part : parts_) {
     const InflowPatch& patch = patches_[part.patch];
+    InflowFace& face = faces_[part.face];
+    double rho = constant_density_;
+    if (density.size() > 0) {
+      const auto o = density.offset(face.face[0], face.face[1], face.face[2]);
+      rho = density[o + inner_cell_offset(face.side, density.stride(axis_of(face.side)))];
+    }
     const double opened = patch.ramp > 0 ? std::clamp(time / patch.ramp, 0.0, 1.0) : 1.0;
-    const double velocity = patch.velocity * opened;
-    faces_[part.face].volume_flux += part.fraction * velocity;
-    faces_[part.face].momentum_flux += part.fraction * velocity * std::abs(velocity);
+    const double full =
+        patch.mass_flow > 0 ? patch.mass_flow / (rho * patch.outline.area()) : patch.velocity;
+    const double velocity = full * opened;
+    face.volume_flux += part.fraction * velocity;
+    face.mass_flux += part.fraction * rho * velocity;
+    face.momentum_flux += part.fraction * rho * velocity * velocity;
   }
   return faces_;
 }
 
-double Inflow::courant_rate(double time) {
+double Inflow::courant_rate() const {
   const Vec3 h = domain_.grid().spacing();
   double rate = 0;
-  for (const InflowFace& face : at(time))
-    rate = std::max(rate, std::abs(face.volume_flux) / h[axis_of(face.side)]);
+  for (const InflowFace& face : faces_)
+    rate = std::max(rate, face.volume_flux / h[axis_of(face.side)]);
   return rate;
 }
 

@@ -11,6 +11,7 @@
 
 #include <vector>
 
+#include "coupling/base/array3.h"
 #include "gas_solver/boundary/inflow_shape.h"
 #include "gas_solver/grid/domain.h"
 
@@ -21,24 +22,33 @@ struct InflowPatch {
   Outline outline;
   double velocity = 0;  // true velocity into the domain [m/s]
   double ramp = 0;      // time until it is reached [s]
+  // Or, instead of the velocity, the mass flow of the whole patch [kg/s]; 0: by velocity.
+  double mass_flow = 0;
+  // Or, instead of the ramp, a table of factors in time, linear between its lines and constant
+  // beyond them; empty: none.
+  std::vector<double> table_times;    // [s]
+  std::vector<double> table_factors;  // of velocity or mass_flow
 };
 
 // What the patches bring through one face.
 struct InflowFace {
   int side = 0;
   Int3 face{0, 0, 0};
-  double volume_flux = 0;    // sum of f U, positive INTO the domain [m/s]
-  double momentum_flux = 0;  // sum of f U |U| [m2/s2], positive into the domain
+  // Positive INTO the domain.
+  double volume_flux = 0;    // sum of f U [m/s]
+  double mass_flux = 0;      // sum of rho f U [kg/(m2 s)]
+  double momentum_flux = 0;  // sum of rho f U^2 [Pa]
 };
 
 class Inflow {
  public:
-  Inflow(const Domain& domain, std::vector<InflowPatch> patches);
+  Inflow(const Domain& domain, std::vector<InflowPatch> patches, double constant_density);
 
-  // The faces of this rank at a time; the same faces in the same order always.
-  [[nodiscard]] const std::vector<InflowFace>& at(double time);
-  // The greatest Courant number per time, f U / h, of this rank's faces [1/s].
-  [[nodiscard]] double courant_rate(double time);
+  // The faces of this rank at a time; the same faces in the same order always. The gas of a patch
+  // has the density of the cell it enters: `density`, or where that is empty the constant one.
+  const std::vector<InflowFace>& at(double time, const Array3<double>& density);
+  // The greatest Courant number per time, f U / h, of the faces of the last at() [1/s].
+  [[nodiscard]] double courant_rate() const;
 
  private:
   struct Part {  // of a patch
@@ -48,6 +58,7 @@ class Inflow {
   };
   const Domain& domain_;
   std::vector<InflowPatch> patches_;
+  double constant_density_;
   std::vector<Part> parts_;
   std::vector<InflowFace> faces_;
 };

@@ -4,24 +4,28 @@
 // f U). A pressure gradient, gravity's included, is the mean of its two faces too; a face of given
 // velocity takes that of the cell's opposite face, an outlet's face its own, (p_out - p) / (h / 2).
 //
+// In model B the pressure acts on the gas alone, and grains feel no more of it than their buoyancy:
+// what is lent is rho g (0 along periodic axes).
+//
 // Half of the drag K u - S of a cell acts on each of its two faces along an axis, those on sides
 // included. Summed over the faces this is, face by face and exactly, the sum over the cells of K
 // times the mean velocity, less S.
 #pragma once
 
-#include "gas_solver/boundary/kinds.h"
+#include "gas_solver/gas_input.h"
 #include "gas_solver/grid/gas_state.h"
 
 namespace gasgrain {
 
 class IntervalMeans {
  public:
-  // `rest_gradient`: of the hydrostatic pressure, which the state's pressure leaves out [Pa/m].
-  IntervalMeans(const Domain& domain, const Sides& sides, const Vec3& rest_gradient);
+  IntervalMeans(const Domain& domain, const GasInput& input);
 
   void clear();
-  // A step that makes up the share `weight` of the interval.
-  void add(const GasState& state, double weight);
+  // A velocity that holds for the share `weight` of the interval.
+  void add_velocity(const CellVector& velocity, double weight);
+  // A pressure that does.
+  void add_pressure(const GasState& state, double weight);
   // Force of the gas on the grains [N], of the whole grid. Collective.
   [[nodiscard]] Vec3 drag_force(const GasState& state) const;
 
@@ -31,7 +35,10 @@ class IntervalMeans {
  private:
   const Domain& domain_;
   Sides sides_;
-  Vec3 rest_gradient_;
+  bool whole_gradient_;  // model B
+  double density_;
+  double compressibility_;
+  Vec3 gravity_;
 };
 
 }  // namespace gasgrain

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "gas_solver/boundary/unknown_faces.h"
-#include "gas_solver/operators/limiter_van_leer.h"
 
 namespace gasgrain {
 namespace {
@@ -12,18 +11,12 @@ namespace {
 constexpr double normal_stress = 4.0 / 3.0;
 constexpr double dilatation = 2.0 / 3.0;
 
-// Mass flux through the low side, along `axis`, of the control volume of the face at `o`; `s` is
-// the stride along the component's axis. Holds for the component's own axis too.
-inline double side_flux(const double* flux, std::ptrdiff_t o, std::ptrdiff_t s) {
-  return 0.5 * (flux[o - s] + flux[o]);
-}
-
 // An axis across the component's own.
 struct Across {
-  Across(const GasState& state, int axis, double spacing)
-      : flux(state.mass_flux[axis].data()),
-        velocity(state.velocity[axis].data()),
-        stride(state.void_fraction.stride(axis)),
+  Across(const CellVector& fluxes, const CellVector& lagged, int axis, double spacing)
+      : flux(fluxes[axis].data()),
+        velocity(lagged[axis].data()),
+        stride(fluxes[axis].stride(axis)),
         per_h(1.0 / spacing),
         lo(side_of(axis, false)),
         hi(side_of(axis, true)) {}
@@ -49,58 +42,64 @@ MomentumAssembly::MomentumAssembly(const Domain& domain, const GasInput& input)
     : domain_(domain),
       density_(input.density),
       viscosity_(input.viscosity),
-      limited_(input.convection == Convection::tvd),
+      whole_gradient_(input.model == GasModel::b),
       sides_(input.sides),
-      body_force_(Hydrostatic(input).body_force()),
+      wall_velocity_(input.wall_velocity),
+      gravity_at_rest_(Hydrostatic(input).gravity_at_rest()),
+      gravity_body_(Hydrostatic(input).gravity_body()),
+      compressibility_(Hydrostatic(input).compressibility()),
       spacing_(input.grid.spacing()),
-      face_void_fraction_(domain.box(), 1.0),
-      addition_(domain.box()),
-      gain_(domain.box()) {}
+      convection_(domain, input),
+      face_void_fraction_(domain.box(), 1.0) {}
 
-void MomentumAssembly::assemble(const GasState& state, int component, double step,
+void MomentumAssembly::assemble(const GasState& state, int component, const CellVector& lagged,
                                 const std::vector<InflowFace>& inflow, Array3<MomentumRow>& rows) {
-  if (limited_) limited_convection(state, component);
-  inner_rows(state, component, step, rows);
-  for (const bool high : {false, true}) {
-    const int side = side_of(component, high);
-    if (domain_.touches(side) && !sides_[side]->normal_velocity_given)
-      outlet_rows(state, side, step, rows);
-  }
-  close_sides(component, rows);
+  convection_.evaluate(state.convecting_flux(), lagged[component], component, inflow);
+  std::visit(
+      [&](const auto& rho, const auto& mu) {
+        inner_rows(state, component, lagged, rho, mu, rows);
+        for (const bool high : {false, true}) {
+          const int side = side_of(component, high);
+          if (domain_.touches(side) && !sides_[side]->normal_velocity_given)
+            outlet_rows(state, side, rho, mu, rows);
+        }
+        for (int side = 0; side < side_count; ++side)
+          if (axis_of(side) != component && domain_.touches(side))
+            close_side(component, side, mu, rows);
+      },
+      quantity(state.density, density_), quantity(state.viscosity, viscosity_));
+  if (state.mass_source.size() > 0) add_mass_sources(state, component, rows);
   add_jets(state, component, inflow, rows);
-  for_each_cell(unknown_faces(domain_, sides_, component), [&](int i, int j, int k) {
-    double& diagonal = rows(i, j, k).inverse_diagonal;
-    diagonal = 1.0 / diagonal;
-  });
 }
 
-void MomentumAssembly::inner_rows(const GasState& state, int component, double step,
+template <class Density, class Viscosity>
+void MomentumAssembly::inner_rows(const GasState& state, int component, const CellVector& lagged,
+                                  const Density& density, const Viscosity& viscosity,
                                   Array3<MomentumRow>& rows) {
   const int d = component;
-  const std::ptrdiff_t s = state.void_fraction.stride(d);
+  const Array3<double>& cells = state.momentum_void_fraction();
+  const std::ptrdiff_t s = cells.stride(d);
   const IndexBox faces = domain_.inner_faces(d);
   for_each_cell(faces.grown(1), [&](int i, int j, int k) {
-    const auto o = state.void_fraction.offset(i, j, k);
-    face_void_fraction_[o] = face_mean(state.void_fraction, o, s);
+    const auto o = cells.offset(i, j, k);
+    face_void_fraction_[o] = face_mean(cells, o, s);
   });
 
   // Plain pointers and constants: what the loop reads stays in registers.
-  const double* const eps = state.void_fraction.data();
+  const double* const eps = cells.data();
   const double* const eps_face = face_void_fraction_.data();
   const double* const drag = state.drag_coefficient.data();
   const double* const source = state.drag_source[d].data();
   const double* const p = state.pressure.data();
-  const double* const gain = gain_.data();
-  const double* const u = state.velocity[d].data();
-  const double* const flux = state.mass_flux[d].data();
+  const double* const gain = convection_.gain().data();
+  const double* const flux = state.convecting_flux()[d].data();
   const auto [e1, e2] = plane_axes(d);
-  const Across across1(state, e1, spacing_[e1]);
-  const Across across2(state, e2, spacing_[e2]);
-  const double mu = viscosity_;
+  const Across across1(state.convecting_flux(), lagged, e1, spacing_[e1]);
+  const Across across2(state.convecting_flux(), lagged, e2, spacing_[e2]);
   const double per_h = 1.0 / spacing_[d];
-  const double normal = normal_stress * mu * per_h * per_h;
-  const double inertia = density_ / step;
-  const double body_force = body_force_[d];
+  const double body = gravity_body_[d];
+  const double excess_weight = 0.5 * compressibility_ * gravity_at_rest_[d];
+  const bool whole_gradient = whole_gradient_;
   const int lo = side_of(d, false);
   const int hi = side_of(d, true);
 
@@ -109,16 +108,24 @@ void MomentumAssembly::inner_rows(const GasState& state, int component, double s
       std::ptrdiff_t o = rows.offset(faces.lo[0], j, k);
       for (int i = faces.lo[0]; i < faces.hi[0]; ++i, ++o) {
         const double eps_f = eps_face[o];
+        const double mu_before = normal_stress * viscosity(o - s);
+        const double mu_here = normal_stress * viscosity(o);
         double* const c = rows[o].coefficient.data();
-        c[lo] = std::max(side_flux(flux, o, s), 0.0) * per_h + normal * eps[o - s];
-        c[hi] = std::max(-side_flux(flux, o + s, s), 0.0) * per_h + normal * eps[o];
+        c[lo] =
+            std::max(side_flux(flux, o, s), 0.0) * per_h + mu_before * per_h * per_h * eps[o - s];
+        c[hi] =
+            std::max(-side_flux(flux, o + s, s), 0.0) * per_h + mu_here * per_h * per_h * eps[o];
         double sum = c[lo] + c[hi];
         double stress = 0;
-        // Along an axis e across: d/de (mu du_e/dd) - 2/3 d/dd (mu du_e/de), from the last step.
+        // Along an axis e across: d/de (mu du_e/dd) - 2/3 d/dd (mu du_e/de), from `lagged`.
         const auto add = [&](const Across& e) {
           const std::ptrdiff_t t = e.stride;
-          const double mu_lo = 0.5 * mu * (eps_f + eps_face[o - t]);
-          const double mu_hi = 0.5 * mu * (eps_f + eps_face[o + t]);
+          // Means over the four cells round an edge.
+          const double mu_mid = face_value(viscosity, o, s);
+          const double mu_lo =
+              0.25 * (mu_mid + face_value(viscosity, o - t, s)) * (eps_f + eps_face[o - t]);
+          const double mu_hi =
+              0.25 * (mu_mid + face_value(viscosity, o + t, s)) * (eps_f + eps_face[o + t]);
           c[e.lo] = std::max(side_flux(e.flux, o, s), 0.0) * e.per_h + mu_lo * e.per_h * e.per_h;
           c[e.hi] =
               std::max(-side_flux(e.flux, o + t, s), 0.0) * e.per_h + mu_hi * e.per_h * e.per_h;
@@ -127,107 +134,96 @@ void MomentumAssembly::inner_rows(const GasState& state, int component, double s
           const double before = e.velocity[o + t - s] - e.velocity[o - s];
           stress += e.per_h * (mu_hi * (e.velocity[o + t] - e.velocity[o + t - s]) -
                                mu_lo * (e.velocity[o] - e.velocity[o - s]) -
-                               dilatation * mu * (eps[o] * here - eps[o - s] * before));
+                               dilatation * (viscosity(o) * eps[o] * here -
+                                             viscosity(o - s) * eps[o - s] * before));
         };
         add(across1);
         add(across2);
-        rows[o].inverse_diagonal = inertia * eps_f + 0.5 * (drag[o - s] + drag[o]) + sum;
-        rows[o].source = inertia * eps_f * u[o] + 0.5 * (source[o - s] + source[o]) +
-                         eps_f * (body_force - (p[o] - p[o - s]) * per_h) + stress * per_h +
-                         gain[o];
+        const double gradient = (p[o] - p[o - s]) * per_h - excess_weight * (p[o] + p[o - s]);
+        rows[o].inverse_diagonal = 0.5 * (drag[o - s] + drag[o]) + sum;
+        rows[o].source = 0.5 * (source[o - s] + source[o]) -
+                         (whole_gradient ? 1.0 : eps_f) * gradient +
+                         eps_f * face_value(density, o, s) * body + stress * per_h + gain[o];
       }
     }
-}
-
-// What the limiter adds to the fluxes through the low sides, then its net gain of each control
-// volume.
-void MomentumAssembly::limited_convection(const GasState& state, int component) {
-  const double* const u = state.velocity[component].data();
-  const std::ptrdiff_t s = gain_.stride(component);
-  const IndexBox faces = domain_.inner_faces(component);
-  double* const addition = addition_.data();
-  double* const gain = gain_.data();
-  gain_.fill(0.0);
-  for (int axis = 0; axis < 3; ++axis) {
-    const double* const flux = state.mass_flux[axis].data();
-    const std::ptrdiff_t t = gain_.stride(axis);
-    const double per_h = 1.0 / spacing_[axis];
-    IndexBox lows = faces;
-    ++lows.hi[axis];  // the high sides of the last
-    for (int k = lows.lo[2]; k < lows.hi[2]; ++k)
-      for (int j = lows.lo[1]; j < lows.hi[1]; ++j) {
-        const std::ptrdiff_t first = gain_.offset(lows.lo[0], j, k);
-        const std::ptrdiff_t end = first + lows.extent(0);
-        // Both directions of flow are computed, one of them times 0: cheaper than a branch.
-        for (std::ptrdiff_t o = first; o < end; ++o) {
-          const double f = side_flux(flux, o, s) * per_h;
-          addition[o] = std::max(f, 0.0) * van_leer_addition(u[o - 2 * t], u[o - t], u[o]) +
-                        std::min(f, 0.0) * van_leer_addition(u[o + t], u[o], u[o - t]);
-        }
-      }
-    for (int k = faces.lo[2]; k < faces.hi[2]; ++k)
-      for (int j = faces.lo[1]; j < faces.hi[1]; ++j) {
-        const std::ptrdiff_t first = gain_.offset(faces.lo[0], j, k);
-        const std::ptrdiff_t end = first + faces.extent(0);
-        for (std::ptrdiff_t o = first; o < end; ++o) gain[o] += addition[o] - addition[o + t];
-      }
-  }
 }
 
 // The control volume is the half cell inside the side: its sides along the component's axis lie h /
 // 2 apart, and eps, K and S are those of the cell.
-void MomentumAssembly::outlet_rows(const GasState& state, int side, double step,
-                                   Array3<MomentumRow>& rows) const {
+template <class Density, class Viscosity>
+void MomentumAssembly::outlet_rows(const GasState& state, int side, const Density& density,
+                                   const Viscosity& viscosity, Array3<MomentumRow>& rows) const {
   const int d = axis_of(side);
-  const Array3<double>& eps = state.void_fraction;
-  const Array3<double>& u = state.velocity[d];
+  const Array3<double>& eps = state.momentum_void_fraction();
+  const CellVector& flux = state.convecting_flux();
   const std::ptrdiff_t s = eps.stride(d);
   const std::ptrdiff_t in = inward(side, s);
   const double outward = is_high(side) ? 1.0 : -1.0;
   const double half = 0.5 * spacing_[d];
-  const double inertia = density_ / step;
+  const double excess_weight = 0.5 * compressibility_ * gravity_at_rest_[d];
   for_each_cell(domain_.side_faces(side), [&](int i, int j, int k) {
     const auto o = eps.offset(i, j, k);
     const auto cell = o + inner_cell_offset(side, s);
+    const double mu = viscosity(cell);
     MomentumRow& row = rows[o];
     row.coefficient.fill(0.0);
-    const double from_inside =
-        std::max(outward * 0.5 * (state.mass_flux[d][o] + state.mass_flux[d][o + in]), 0.0);
+    const double from_inside = std::max(outward * 0.5 * (flux[d][o] + flux[d][o + in]), 0.0);
     row.coefficient[side_of(d, !is_high(side))] =
-        from_inside / half + normal_stress * viscosity_ * eps[cell] / (half * spacing_[d]);
+        from_inside / half + normal_stress * mu * eps[cell] / (half * spacing_[d]);
     double sum = row.coefficient[side_of(d, !is_high(side))];
     for (const int e : plane_axes(d)) {
       const std::ptrdiff_t t = eps.stride(e);
       const double he = spacing_[e];
-      const double visc = viscosity_ * eps[cell] / (he * he);
-      row.coefficient[side_of(e, false)] = std::max(state.mass_flux[e][cell], 0.0) / he + visc;
-      row.coefficient[side_of(e, true)] = std::max(-state.mass_flux[e][cell + t], 0.0) / he + visc;
+      const double visc = mu * eps[cell] / (he * he);
+      row.coefficient[side_of(e, false)] = std::max(flux[e][cell], 0.0) / he + visc;
+      row.coefficient[side_of(e, true)] = std::max(-flux[e][cell + t], 0.0) / he + visc;
       sum += row.coefficient[side_of(e, false)] + row.coefficient[side_of(e, true)];
     }
-    const double backflow = std::max(-outward * state.mass_flux[d][o], 0.0);
+    const double backflow = std::max(-outward * flux[d][o], 0.0);
     sum += (1.0 - backflow_share) * backflow / half;
-    row.inverse_diagonal = inertia * eps[cell] + state.drag_coefficient[cell] + sum;
-    const double gradient = outward * (0.0 - state.pressure[cell]) / half;
-    row.source = inertia * eps[cell] * u[o] + state.drag_source[d][cell] - eps[cell] * gradient;
+    row.inverse_diagonal = state.drag_coefficient[cell] + sum;
+    const double p = state.pressure[cell];
+    const double gradient = outward * (0.0 - p) / half - excess_weight * p;
+    row.source = state.drag_source[d][cell] - (whole_gradient_ ? 1.0 : eps[cell]) * gradient +
+                 eps[cell] * density(cell) * gravity_body_[d];
   });
 }
 
-// What enters along a side carries no velocity along it, and the side's own shear is that of
-// (0 - u) / (h / 2) where the gas sticks, else none: the coefficient stays in the diagonal, with a
-// neighbour of velocity 0.
-void MomentumAssembly::close_sides(int component, Array3<MomentumRow>& rows) const {
-  const IndexBox unknown = unknown_faces(domain_, sides_, component);
-  for (int side = 0; side < side_count; ++side) {
-    const int axis = axis_of(side);
-    if (axis == component || !domain_.touches(side)) continue;
-    const double shear = viscosity_ / (spacing_[axis] * spacing_[axis]);
-    const double factor = sides_[side]->sticks ? 2.0 : 0.0;
-    for_each_cell(beside(unknown, side, domain_.own()), [&](int i, int j, int k) {
-      MomentumRow& row = rows(i, j, k);
-      row.inverse_diagonal += (factor - 1.0) * shear * face_void_fraction_(i, j, k);
-      row.coefficient[side] = 0.0;
-    });
-  }
+// What enters along a side carries no velocity along it, and the shear there is the side's own:
+// none, or where the gas sticks, with u_1 and u_2 the first two values inside and U the wall's,
+//   mu (9 u_1 - u_2 - 8 U) / (3 h),
+// exact for a parabola (mu (u_1 - U) / (h / 2) where there is no u_2, or with a wall function).
+template <class Viscosity>
+void MomentumAssembly::close_side(int component, int side, const Viscosity& viscosity,
+                                  Array3<MomentumRow>& rows) const {
+  const int axis = axis_of(side);
+  const std::ptrdiff_t s = rows.stride(component);
+  const double per_area = 1.0 / (spacing_[axis] * spacing_[axis]);
+  const int inner = side_of(axis, !is_high(side));
+  const bool two_cells = domain_.grid().cells[axis] > 1;
+  const double wall = wall_velocity_[side][component];
+  const IndexBox faces = beside(unknown_faces(domain_, sides_, component), side, domain_.own());
+  for_each_cell(faces, [&](int i, int j, int k) {
+    const auto o = rows.offset(i, j, k);
+    MomentumRow& row = rows[o];
+    const double shear = face_value(viscosity, o, s) * face_void_fraction_[o] * per_area;
+    row.coefficient[side] = 0.0;
+    row.inverse_diagonal -= shear;  // of inner_rows
+    if (!sides_[side]->sticks) return;
+    row.inverse_diagonal += (two_cells ? 3.0 : 2.0) * shear;
+    if (two_cells) row.coefficient[inner] += shear / 3.0;
+    row.source += (two_cells ? 8.0 / 3.0 : 2.0) * shear * wall;
+  });
+}
+
+void MomentumAssembly::add_mass_sources(const GasState& state, int component,
+                                        Array3<MomentumRow>& rows) const {
+  const std::ptrdiff_t s = rows.stride(component);
+  for_each_cell(domain_.inner_faces(component), [&](int i, int j, int k) {
+    const auto o = rows.offset(i, j, k);
+    rows[o].inverse_diagonal +=
+        0.5 * (std::max(state.mass_source[o - s], 0.0) + std::max(state.mass_source[o], 0.0));
+  });
 }
 
 // The control volume next to a face of inflow takes the patch's momentum M = rho f U^2 in full,
@@ -239,17 +235,16 @@ void MomentumAssembly::add_jets(const GasState& state, int component,
                                 const std::vector<InflowFace>& inflow,
                                 Array3<MomentumRow>& rows) const {
   const double h = spacing_[component];
+  const Array3<double>& flux = state.convecting_flux()[component];
   for (const InflowFace& face : inflow) {
     if (axis_of(face.side) != component) continue;
-    const Array3<double>& flux = state.mass_flux[component];
     const double into = is_high(face.side) ? -1.0 : 1.0;
     const auto o = flux.offset(face.face[0], face.face[1], face.face[2]);
     const auto next = o + inward(face.side, flux.stride(component));
-    const double entering = density_ * face.volume_flux;
     const double shared = std::max(into * 0.5 * (flux[o] + flux[next]), 0.0);
     rows[next].coefficient[face.side] -= shared / h;
-    rows[next].inverse_diagonal += (std::max(shared, entering) - shared) / h;
-    rows[next].source += into * density_ * face.momentum_flux / h;
+    rows[next].inverse_diagonal += (std::max(shared, face.mass_flux) - shared) / h;
+    rows[next].source += into * face.momentum_flux / h;
   }
 }
 

@@ -9,23 +9,43 @@ namespace {
 
 constexpr int max_sweeps = 100;
 
+// Outer iterations repeat the explicit parts by themselves.
+int default_passes(TimeScheme scheme, PressureVelocity method) {
+  return scheme == TimeScheme::crank_nicolson && method == PressureVelocity::projection ? 3 : 1;
+}
+
 }  // namespace
 
 Predictor::Predictor(const Domain& domain, const GasInput& input, Halo& halo)
     : domain_(domain),
-      sides_(input.sides),
+      walls_(input.walls()),
       tolerance_(input.tolerance),
+      theta_(time_weight(input.scheme)),
+      passes_(input.correction_passes > 0 ? input.correction_passes
+                                          : default_passes(input.scheme, input.pressure_velocity)),
       halo_(halo),
       assembly_(domain, input),
+      finish_(domain, input),
       rows_(domain.box()) {}
 
-MomentumReport Predictor::predict(GasState& state, double step,
-                                  const std::vector<InflowFace>& inflow) {
+MomentumReport Predictor::predict(GasState& state, const MomentumStep& step) {
   MomentumReport report;
   solution_ = state.velocity;
+  for (int n = 0; n < passes_; ++n) {
+    const bool at_hand = n == 0 && theta_ == 1.0;
+    pass(state, step, at_hand ? state.velocity : mean_in_time(step.before, solution_), report);
+  }
+  std::swap(state.velocity, solution_);
+  finish_.share_mobility(halo_);
+  return report;
+}
+
+void Predictor::pass(GasState& state, const MomentumStep& step, const CellVector& lagged,
+                     MomentumReport& report) {
   double scale = 0;  // squares of the velocity, components done
   for (int d = 0; d < 3; ++d) {
-    assembly_.assemble(state, d, step, inflow, rows_);
+    assembly_.assemble(state, d, lagged, step.inflow, rows_);
+    finish_.finish(state, d, step, assembly_.face_void_fraction(), rows_);
     bool converged = false;
     for (int n = 0; n < max_sweeps && !converged; ++n) {
       sweep(d, true);
@@ -40,16 +60,20 @@ MomentumReport Predictor::predict(GasState& state, double step,
     }
     if (!converged) ++report.not_converged;
   }
-  for (int d = 0; d < 3; ++d) {
-    std::swap(state.velocity[d], solution_[d]);
-    fill_ghost_velocities(domain_, sides_, d, state.velocity[d]);
-  }
-  return report;
+  for (int d = 0; d < 3; ++d) fill_ghost_velocities(domain_, walls_, d, solution_[d]);
+}
+
+const CellVector& Predictor::mean_in_time(const CellVector& before, const CellVector& after) {
+  if (lagged_[0].size() == 0) lagged_ = make_vector(domain_.box());
+  for (int d = 0; d < 3; ++d)
+    for (std::size_t n = 0; n < before[d].size(); ++n)
+      lagged_[d][n] = (1 - theta_) * before[d][n] + theta_ * after[d][n];
+  return lagged_;
 }
 
 Predictor::Change Predictor::sweep(int component, bool forth) {
   Array3<double>& u = solution_[component];
-  const IndexBox faces = unknown_faces(domain_, sides_, component);
+  const IndexBox faces = unknown_faces(domain_, walls_.sides, component);
   const std::ptrdiff_t sy = u.stride(1);
   const std::ptrdiff_t sz = u.stride(2);
   const int nx = faces.extent(0);

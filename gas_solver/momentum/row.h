@@ -11,7 +11,8 @@ struct alignas(64) MomentumRow {
   // Neighbours x lo, x hi, y lo, ... (the numbering of sides).
   std::array<double, 6> coefficient;
   double source;
-  double inverse_diagonal;  // while a row is assembled: the diagonal itself
+  // Until finish_rows(): the diagonal itself, without inertia.
+  double inverse_diagonal;
 };
 
 }  // namespace gasgrain

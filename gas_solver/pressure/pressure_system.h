@@ -1,6 +1,7 @@
 // The Poisson equation of a step, cell by cell:
-//   sum over the faces of c_f (x_cell - x_neighbour) = source,
-// c_f = 0 on faces of given velocity; a face of given pressure has the neighbour value 0.
+//   storage x_cell + sum over the faces of c_f (x_cell - x_neighbour) = source,
+// c_f = 0 on faces of given velocity; a face of given pressure has the neighbour value 0. `storage`
+// is what a compressible cell takes up (a Helmholtz equation); without it the field is empty.
 #pragma once
 
 #include "gas_solver/boundary/kinds.h"
@@ -15,10 +16,11 @@ struct PressureSystem {
     solution = Array3<double>(domain.box());
   }
   std::array<Array3<double>, 3> face_coefficient;  // all faces of the own cells
+  Array3<double> storage;                          // own cells, or empty
   Array3<double> source;                           // own cells
   Array3<double> solution;                         // own cells are set by a solver
   Sides sides;
-  // No face has a given pressure: the solution is known but for a constant.
+  // No storage, and no face has a given pressure: the solution is known but for a constant.
   bool singular = false;
 };
 
