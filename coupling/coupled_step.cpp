@@ -136,9 +136,10 @@ Report CoupledStep::begin(const ParticleView& particles, const DemRegion& region
   if (effects_.drag) {
     {
       const Stopwatch watch(costs_, cost_drag_);
-      const DragRefresh met =
-          refresh_drag(particles, weights_, *effects_.drag, GasState{gas_.density, gas_.viscosity},
-                       void_fraction_, velocity_, records);
+      const DragRefresh met = refresh_drag(
+          particles, weights_, *effects_.drag,
+          GasProperties{gas_.density, gas_.viscosity, gas_.whole_pressure_gradient != 0},
+          void_fraction_, velocity_, records);
       clamps_.too_dense += static_cast<long>(met.too_dense);
       drag_coefficient_.fill(0.0);
       for (auto& component : drag_source_) component.fill(0.0);

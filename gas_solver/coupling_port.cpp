@@ -7,6 +7,7 @@
 
 #include "coupling/base/error.h"
 #include "gas_solver/packing_limit.h"
+#include "gas_solver/plane_of_spheres.h"
 
 namespace gasgrain {
 namespace {
@@ -32,6 +33,7 @@ DemHello meet(const GasSolver& solver, const GasInput& input, MPI_Comm partner,
   hello.cells = grid.cells;
   hello.density = input.density;
   hello.viscosity = input.viscosity;
+  hello.whole_pressure_gradient = input.model == GasModel::b ? 1 : 0;
   hello.time = solver.time();
   hello.lends = hello.takes = all_fields().bits();
   hello.probes =
@@ -56,6 +58,7 @@ CouplingPort::CouplingPort(GasSolver& solver, const GasInput& input, MPI_Comm pa
       local_(solver.domain().comm()),
       partner_(partner),
       out_(out),
+      plane_of_spheres_(input.plane_of_spheres),
       halo_(solver.domain()),
       solid_volume_(solver.own()),
       void_fraction_(solver.own()),
@@ -122,8 +125,10 @@ void CouplingPort::take_solids(bool fresh) {
   }
   Array3<double> solids(solver_.domain().box());
   const double cell = solver_.grid().cell_volume();
-  for_each_cell(solver_.own(),
-                [&](int i, int j, int k) { solids(i, j, k) = solid_volume_(i, j, k) / cell; });
+  for_each_cell(solver_.own(), [&](int i, int j, int k) {
+    const double fraction = solid_volume_(i, j, k) / cell;
+    solids(i, j, k) = plane_of_spheres_ > 0 ? solids_in_space(fraction) : fraction;
+  });
   moved_cells_ = local_.sum(move_solids_above_limit(solver_.domain(), halo_, solids));
   for_each_cell(solver_.own(),
                 [&](int i, int j, int k) { void_fraction_(i, j, k) = 1.0 - solids(i, j, k); });

@@ -34,6 +34,7 @@ class CouplingPort {
   Communicator local_;
   MPI_Comm partner_;
   std::string out_;
+  double plane_of_spheres_;  // [m], 0: not one
   FieldSet lent_;
   FieldSet taken_;
   Halo halo_;

@@ -21,6 +21,13 @@ inline GasInput box(const Int3& cells, const Vec3& size, const Sides& sides) {
   return input;
 }
 
+// The same with air as an ideal gas.
+inline GasInput ideal_gas(GasInput input) {
+  input.law = GasLaw::ideal_gas;
+  input.density = input.reference_pressure * input.molar_mass / (gas_constant * input.temperature);
+  return input;
+}
+
 inline constexpr Sides walls{&wall_no_slip, &wall_no_slip, &wall_no_slip,
                              &wall_no_slip, &wall_no_slip, &wall_no_slip};
 // A column without friction, open at its top.

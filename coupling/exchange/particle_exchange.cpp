@@ -61,7 +61,7 @@ void deposit_solid_volume(const ParticleView& particles, const ParticleWeights& 
 }
 
 DragRefresh refresh_drag(const ParticleView& particles, const ParticleWeights& weights,
-                         const DragModel& model, const GasState& gas,
+                         const DragModel& model, const GasProperties& gas,
                          const Array3<double>& void_fraction, const VectorField& gas_velocity,
                          ExchangeRecord* records) {
   // The void fraction waits in K and the gas velocity in u until the law is evaluated.
@@ -76,9 +76,10 @@ DragRefresh refresh_drag(const ParticleView& particles, const ParticleWeights& w
           const double eps = record.K;
           if (eps < least_drag_void_fraction - round_off) ++refresh.too_dense;
           refresh.least_void_fraction = std::min(refresh.least_void_fraction, eps);
-          record.K = law.coefficient(gas, std::clamp(eps, least_drag_void_fraction, 1.0),
-                                     (as_vec3(record.u) - particles.v(p)).norm(),
+          const double met = std::clamp(eps, least_drag_void_fraction, 1.0);
+          record.K = law.coefficient(gas, met, (as_vec3(record.u) - particles.v(p)).norm(),
                                      2.0 * particles.radius[p]);
+          if (gas.whole_pressure_gradient) record.K /= met;
         }
       },
       model);

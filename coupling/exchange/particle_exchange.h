@@ -27,7 +27,7 @@ struct DragRefresh {
 
 // K of every record from the void fraction and the last gas velocity [m/s] at the particle.
 DragRefresh refresh_drag(const ParticleView& particles, const ParticleWeights& weights,
-                         const DragModel& model, const GasState& gas,
+                         const DragModel& model, const GasProperties& gas,
                          const Array3<double>& void_fraction, const VectorField& gas_velocity,
                          ExchangeRecord* records);
 

@@ -16,7 +16,7 @@
 namespace gasgrain {
 
 // Raised with every change of a message's meaning or layout.
-constexpr int protocol_version = 2;
+constexpr int protocol_version = 3;
 
 // Message tags between the programs.
 enum Tag : int { hello_tag = 100, command_tag, report_tag, solids_tag, drag_tag, lent_tag };
@@ -44,6 +44,7 @@ struct GasHello {
   std::array<int, 3> periodic{};
   double density = 0.0;    // [kg/m3]
   double viscosity = 0.0;  // [Pa s]
+  int whole_pressure_gradient = 0;  // model B
   double time = 0.0;       // of the gas state, 0 or that of a checkpoint [s]
   std::array<char, 256> input_file{};
   std::uint32_t lends = 0;

@@ -18,7 +18,7 @@ class drag : public testing::Test {
     return re * air.viscosity / (eps * air.density * diameter);
   }
 
-  static constexpr GasState air{1.2, 1.8e-5};
+  static constexpr GasProperties air{1.2, 1.8e-5};
   static constexpr double diameter = 1.2e-3;
 };
 TYPED_TEST_SUITE(drag, ListedTypes<DragModel>::type, ListedName);

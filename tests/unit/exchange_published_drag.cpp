@@ -10,7 +10,7 @@
 namespace gasgrain {
 namespace {
 
-constexpr GasState air{1.2, 1.8e-5};
+constexpr GasProperties air{1.2, 1.8e-5};
 constexpr double d = 1.2e-3;
 
 double slip_of(double re, double eps) {

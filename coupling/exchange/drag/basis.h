@@ -20,9 +20,13 @@
 
 namespace gasgrain {
 
-struct GasState {
+struct GasProperties {
   double density;    // [kg/m3]
   double viscosity;  // dynamic [Pa s]
+  // Model B: the gas carries the whole pressure gradient, grains feel their buoyancy of it only,
+  // and the drag coefficient is that of model A over eps (both then give the same force in a bed at
+  // rest).
+  bool whole_pressure_gradient = false;
 };
 
 // Void fractions and Reynolds numbers that a law was fitted to (its own Reynolds number).
@@ -34,12 +38,12 @@ struct DragRange {
 };
 
 // K of an isolated sphere in creeping flow [kg/s].
-inline double stokes_coefficient(const GasState& gas, double diameter) {
+inline double stokes_coefficient(const GasProperties& gas, double diameter) {
   return 3.0 * pi * gas.viscosity * diameter;
 }
 
 // Re = eps rho |u - v| d / mu, with the superficial slip.
-inline double superficial_reynolds(const GasState& gas, double eps, double slip_speed,
+inline double superficial_reynolds(const GasProperties& gas, double eps, double slip_speed,
                                    double diameter) {
   return eps * gas.density * slip_speed * diameter / gas.viscosity;
 }
@@ -50,13 +54,13 @@ inline double coefficient_from_beta(double beta_per_solid_fraction, double diame
 }
 
 // From the drag of model A in units of Stokes' drag at the superficial slip: F_d = 3 pi mu d U f.
-inline double coefficient_from_superficial_drag(double f, const GasState& gas, double eps,
+inline double coefficient_from_superficial_drag(double f, const GasProperties& gas, double eps,
                                                 double diameter) {
   return stokes_coefficient(gas, diameter) * eps * f;
 }
 
 // From the TOTAL force in the same units: F_t = 3 pi mu d U f, F_d = eps F_t.
-inline double coefficient_from_superficial_total(double f, const GasState& gas, double eps,
+inline double coefficient_from_superficial_total(double f, const GasProperties& gas, double eps,
                                                  double diameter) {
   return stokes_coefficient(gas, diameter) * eps * eps * f;
 }

@@ -34,7 +34,8 @@ struct DragDiFelice {
   static constexpr std::array<double, 0> eps_switches{};
   static constexpr double stokes_limit = 4.8 * 4.8 / 24.0;
 
-  static double coefficient(const GasState& gas, double eps, double slip_speed, double diameter) {
+  static double coefficient(const GasProperties& gas, double eps, double slip_speed,
+                            double diameter) {
     const double re = superficial_reynolds(gas, eps, slip_speed, diameter);
     const double root_cd_re = 0.63 * std::sqrt(re) + 4.8;
     const double f = root_cd_re * root_cd_re / 24.0 * std::pow(eps, -exponent(re));

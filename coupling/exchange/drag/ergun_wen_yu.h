@@ -36,18 +36,19 @@ struct DragErgunWenYu {
   static constexpr std::array<double, 1> eps_switches{0.8};
   static constexpr double stokes_limit = 1.0;
 
-  static double coefficient(const GasState& gas, double eps, double slip_speed, double diameter) {
+  static double coefficient(const GasProperties& gas, double eps, double slip_speed,
+                            double diameter) {
     return eps < eps_switches[0] ? ergun(gas, eps, slip_speed, diameter)
                                  : wen_yu(gas, eps, slip_speed, diameter);
   }
 
-  static double ergun(const GasState& gas, double eps, double slip_speed, double diameter) {
+  static double ergun(const GasProperties& gas, double eps, double slip_speed, double diameter) {
     const double viscous = 150.0 * (1.0 - eps) * gas.viscosity / (eps * diameter * diameter);
     const double inertial = 1.75 * gas.density * slip_speed / diameter;
     return coefficient_from_beta(viscous + inertial, diameter);
   }
 
-  static double wen_yu(const GasState& gas, double eps, double slip_speed, double diameter) {
+  static double wen_yu(const GasProperties& gas, double eps, double slip_speed, double diameter) {
     const double re = superficial_reynolds(gas, eps, slip_speed, diameter);
     const double cd_re = re < 1000.0 ? 24.0 * (1.0 + 0.15 * std::pow(re, 0.687)) : 0.44 * re;
     // rho |u - v| = Re mu / (eps d) takes the slip out of the denominator of C_d.

@@ -40,7 +40,8 @@ struct DragKochHill {
   static constexpr std::array<double, 1> eps_switches{0.6};
   static constexpr double stokes_limit = 1.0;
 
-  static double coefficient(const GasState& gas, double eps, double slip_speed, double diameter) {
+  static double coefficient(const GasProperties& gas, double eps, double slip_speed,
+                            double diameter) {
     const double re = superficial_reynolds(gas, eps, slip_speed, diameter);
     return coefficient_from_superficial_total(f0(eps) + 0.5 * f3(eps) * re, gas, eps, diameter);
   }

@@ -1,7 +1,7 @@
 // The LIST of drag laws. A new one is a header beside the others and a line here; the property
 // tests then cover it. A law is a struct with `name`, `source`, `range`, `eps_switches` (void
 // fractions at which its published branches do not meet), `stokes_limit` and
-//   static double coefficient(const GasState&, double eps, double slip_speed, double diameter)
+//   static double coefficient(const GasProperties&, double eps, double slip_speed, double diameter)
 // which returns K [kg/s] of F = K (u - v), model A, interstitial slip; positive and finite for eps
 // from `least_drag_void_fraction` to 1 and any slip from 0.
 #pragma once
