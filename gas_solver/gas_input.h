@@ -97,4 +97,7 @@ struct GasInput {
 // Throws Error with all faults of the file. A run without particles requires [time] end.
 GasInput read_gas_input(const std::string& file, bool alone);
 
+// Every key of the file with its unit, range and default, as lines of a Markdown table.
+std::string gas_input_keys();
+
 }  // namespace gasgrain

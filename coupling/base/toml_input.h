@@ -4,12 +4,15 @@
 // A faulty key yields its default, so that reading goes on and finds the other faults too.
 #pragma once
 
+#include <array>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "coupling/base/input_key.h"
 #include "coupling/base/vec3.h"
 
 namespace toml {
@@ -29,6 +32,7 @@ struct Range {
 
   static Range any() { return {}; }
   static Range positive() { return {0.0, std::numeric_limits<double>::infinity(), true}; }
+  static Range positive_up_to(double max) { return {0.0, max, true}; }
   static Range not_negative() { return {0.0, std::numeric_limits<double>::infinity(), false}; }
   static Range within(double min, double max) { return {min, max, false}; }
   [[nodiscard]] bool holds(double x) const { return (open_min ? x > min : x >= min) && x <= max; }
@@ -41,17 +45,29 @@ class TomlInput;
 class InputTable {
  public:
   // A value with a default; without one (std::nullopt) the key is required. Units go to the
-  // message.
+  // message; "1" is the unit of what has none.
   double number(const std::string& key, std::optional<double> fallback, Range range,
                 const std::string& unit);
+  int integer(const std::string& key, std::optional<int> fallback, Range range);
   std::string text(const std::string& key, std::optional<std::string> fallback);
   std::string choice(const std::string& key, std::optional<std::string> fallback,
                      const std::vector<std::string>& allowed);
   std::vector<double> numbers(const std::string& key, std::optional<std::vector<double>> fallback,
                               Range range, const std::string& unit);
+  std::vector<double> two_numbers(const std::string& key, Range range, const std::string& unit);
   Vec3 vec3(const std::string& key, std::optional<Vec3> fallback, Range range,
             const std::string& unit);
   Int3 int3(const std::string& key, std::optional<Int3> fallback, Range range);
+  // A list of [first, second], whose names and units go to the message; empty when absent.
+  std::vector<std::array<double, 2>> pairs(const std::string& key, Range range,
+                                           const std::string& first, const std::string& second);
+
+  // The same table for keys that go with a choice only, e.g. with 'shape = "circle"'. Where that
+  // is not the choice (`goes` is false), the key's presence is a fault and its absence is none.
+  [[nodiscard]] InputTable when(bool goes, const std::string& with,
+                                const std::string& remedy = "") const;
+  // Says in key_table() what the default is, where that is not a constant.
+  void note_default(const std::string& key, const std::string& text);
 
   [[nodiscard]] bool has(const std::string& key) const;
   // A sub-table [name]; an absent one reads as empty (its required keys then are faults).
@@ -65,13 +81,26 @@ class InputTable {
 
  private:
   friend class TomlInput;
-  InputTable(TomlInput* input, const toml::table* table, std::string path, int line);
-  const toml::node* find(const std::string& key, bool required);
+  InputTable(TomlInput* input, const toml::table* table, std::string path, std::string heading,
+             int line);
+  // Null when absent or not to be read; `fallback` as in InputKey.
+  const toml::node* find(const std::string& key, const std::string& unit, const std::string& range,
+                         const std::string& fallback);
+  const toml::node* find_table(const std::string& key);
+  // `count` 0: any. `kind` as in "three whole numbers".
+  std::vector<double> list(const std::string& key, const std::optional<std::vector<double>>& other,
+                           Range range, const std::string& unit, std::size_t count,
+                           const std::string& kind);
+  [[nodiscard]] std::string dotted(const std::string& key) const;
 
   TomlInput* input_;
   const toml::table* table_;  // null: absent
   std::string path_;          // dotted name, for messages
+  std::string heading_;       // "[gas]" or "[[inflow]]"
   int line_;
+  bool goes_ = true;    // see when()
+  std::string with_;    // its choice
+  std::string remedy_;  // where it is not the choice
 };
 
 class TomlInput {
@@ -87,15 +116,23 @@ class TomlInput {
   // Throws one Error that lists all faults, unknown keys included; returns when there are none.
   void finish();
 
+  // All keys that a reader asks for, in Markdown (see markdown_of). It reads an empty file that has
+  // one of each list of tables.
+  static std::string key_table(const std::function<void(InputTable root)>& read);
+
  private:
   friend class InputTable;
   struct Document;
+  TomlInput();
+  void remember(InputKey key);
   void find_unknown(const toml::table& table, const std::string& path);
+  [[nodiscard]] std::vector<std::string> known_in(const std::string& path) const;
 
   std::string file_;
   std::unique_ptr<Document> document_;
+  bool describes_ = false;                           // for key_table
   std::vector<std::pair<int, std::string>> faults_;  // line, message
-  std::vector<std::string> known_;                   // dotted names asked for
+  std::vector<InputKey> known_;                      // asked for
 };
 
 }  // namespace gasgrain

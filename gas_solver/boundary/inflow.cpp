@@ -34,6 +34,16 @@ Rectangle side_rectangle(const BoxGrid& grid, int side) {
   return {{grid.lo[plane[0]], grid.lo[plane[1]]}, {grid.hi[plane[0]], grid.hi[plane[1]]}};
 }
 
+double InflowPatch::factor(double time) const {
+  if (table_times.empty()) return ramp > 0 ? std::clamp(time / ramp, 0.0, 1.0) : 1.0;
+  const auto later = std::upper_bound(table_times.begin(), table_times.end(), time);
+  const auto n = static_cast<std::size_t>(later - table_times.begin());
+  if (n == 0) return table_factors.front();
+  if (n == table_times.size()) return table_factors.back();
+  const double share = (time - table_times[n - 1]) / (table_times[n] - table_times[n - 1]);
+  return table_factors[n - 1] + share * (table_factors[n] - table_factors[n - 1]);
+}
+
 Inflow::Inflow(const Domain& domain, std::vector<InflowPatch> patches, double constant_density)
     : domain_(domain), patches_(std::move(patches)), constant_density_(constant_density) {
   std::map<std::pair<int, Int3>, std::size_t> known;
@@ -68,10 +78,9 @@ const std::vector<InflowFace>& Inflow::at(double time, const Array3<double>& den
       const auto o = density.offset(face.face[0], face.face[1], face.face[2]);
       rho = density[o + inner_cell_offset(face.side, density.stride(axis_of(face.side)))];
     }
-    const double opened = patch.ramp > 0 ? std::clamp(time / patch.ramp, 0.0, 1.0) : 1.0;
     const double full =
         patch.mass_flow > 0 ? patch.mass_flow / (rho * patch.outline.area()) : patch.velocity;
-    const double velocity = full * opened;
+    const double velocity = full * patch.factor(time);
     face.volume_flux += part.fraction * velocity;
     face.mass_flux += part.fraction * rho * velocity;
     face.momentum_flux += part.fraction * rho * velocity * velocity;

@@ -6,7 +6,8 @@
 // full; a face that only knew f U would bring f m U and lose most of a thin jet's momentum.
 //
 // The fractions are exact areas, scaled so that they sum to the patch's area: the mass flow is the
-// one asked for. A patch may start with a ramp, linear in time from 0.
+// one asked for. A patch may start with a ramp, linear in time from 0, or follow a
+// table in time.
 #pragma once
 
 #include <vector>
@@ -28,6 +29,9 @@ struct InflowPatch {
   // beyond them; empty: none.
   std::vector<double> table_times;    // [s]
   std::vector<double> table_factors;  // of velocity or mass_flow
+
+  // What ramp or table make of the strength at a time.
+  [[nodiscard]] double factor(double time) const;
 };
 
 // What the patches bring through one face.

@@ -3,58 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-
-#include "coupling/base/error.h"
+#include "tests/gas_input_file.h"
 
 namespace gasgrain {
 namespace {
 
-const std::string right = R"([grid]
-lo = [0, 0, 0]
-hi = [0.15, 0.02, 1.0]
-cells = [36, 6, 220]
-[time]
-end = 1
-[boundary]
-z_hi = "outlet"
-[[inflow]]
-side = "z_lo"
-shape = "circle"
-center = [0.075, 0.01]
-diameter = 0.005
-mass_flow = 0.006
-)";
-
-std::string written(const std::string& text) {
-  const std::string name = testing::TempDir() + "gas_input_test.toml";
-  std::ofstream(name) << text;
-  return name;
-}
-
-std::string faults_of(const std::string& text) {
-  try {
-    read_gas_input(written(text), true);
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "";
-}
-
-std::string changed(const std::string& from, const std::string& to) {
-  std::string text = right;
-  const auto at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
-
-void expect_fault(const std::string& text, const std::string& fault) {
-  const std::string faults = faults_of(text);
-  EXPECT_NE(faults.find(fault), std::string::npos) << "expected: " << fault << "\ngot: " << faults;
-}
+using namespace gas_input_file;
 
 TEST(gas_input, a_right_file_is_read_with_its_defaults) {
-  const GasInput input = read_gas_input(written(right), true);
+  const GasInput input = read(right);
   EXPECT_EQ(input.grid.cells, (Int3{36, 6, 220}));
   EXPECT_EQ(input.sides[5], &outlet);
   EXPECT_EQ(input.sides[0], &wall_no_slip);
@@ -68,7 +25,7 @@ TEST(gas_input, a_right_file_is_read_with_its_defaults) {
 TEST(gas_input, end_of_time_is_required_only_without_particles) {
   const std::string text = changed("end = 1\n", "");
   expect_fault(text, "[time] lacks the key end");
-  EXPECT_NO_THROW(read_gas_input(written(text), false));
+  EXPECT_NO_THROW(read(text, false));
 }
 
 TEST(gas_input, all_faults_come_at_once) {
@@ -108,7 +65,7 @@ TEST(gas_input, keys_of_another_shape_are_not_ignored) {
   expect_fault(changed("end = 1\n",
                        "end = 1\n[[inflow]]\nside = \"z_lo\"\ncenter = [0.5, 0.5]\n"
                        "size = [0.1, 0.1]\nvelocity = 1\n"),
-               "inflow.size does not go with shape = \"whole\"");
+               "inflow.size goes only with shape = \"rectangle\"");
 }
 
 TEST(gas_input, inflow_needs_an_outlet) {

@@ -1,0 +1,67 @@
+#include <fmt/format.h>
+
+#include "gas_solver/input/named_choice.h"
+#include "gas_solver/input/readers.h"
+
+namespace gasgrain {
+namespace {
+
+// SIMPLEC's pressure takes the neighbours' change along, and hence no relaxation.
+constexpr double relax_velocity_simplec = 0.95;
+constexpr double relax_pressure_simplec = 1.0;
+
+void read_outer_iterations(InputTable& table, GasInput& input) {
+  const bool simplec = input.pressure_velocity == PressureVelocity::simplec;
+  InputTable outer = table.when(input.pressure_velocity != PressureVelocity::projection,
+                                "pressure_velocity = \"simple\" or \"simplec\"");
+  input.outer_iterations =
+      outer.integer("outer_iterations", input.outer_iterations, Range::within(1, 1000));
+  input.outer_tolerance =
+      outer.number("outer_tolerance", input.outer_tolerance, Range::within(1e-14, 1), "1");
+  const auto relaxation = [&](const char* key, double of_simple, double of_simplec) {
+    const double value =
+        outer.number(key, simplec ? of_simplec : of_simple, Range::positive_up_to(1), "1");
+    outer.note_default(key, fmt::format("{}, {} of \"simplec\"", of_simple, of_simplec));
+    return value;
+  };
+  input.relax_velocity = relaxation("relax_velocity", input.relax_velocity, relax_velocity_simplec);
+  input.relax_pressure = relaxation("relax_pressure", input.relax_pressure, relax_pressure_simplec);
+}
+
+}  // namespace
+
+void read_time(InputTable table, bool alone, GasInput& input) {
+  input.step = table.number("step", input.step, Range::positive(), "s");
+  input.courant_max = table.number("courant_max", input.courant_max, Range::positive(), "1");
+  const std::optional<double> end = alone ? std::nullopt : std::optional<double>(0.0);
+  input.end = table.number("end", end, Range::not_negative(), "s");
+  table.note_default("end", "required alone");
+  input.scheme = named_choice(table, "scheme", input.scheme,
+                              {{"implicit_euler", TimeScheme::implicit_euler},
+                               {"crank_nicolson", TimeScheme::crank_nicolson}});
+}
+
+void read_solver(InputTable table, GasInput& input) {
+  input.pressure = named_choice(table, "pressure", input.pressure,
+                                {{"auto", PressureMethod::automatic},
+                                 {"hypre", PressureMethod::hypre},
+                                 {"fftw", PressureMethod::fftw}});
+  input.tolerance = table.number("tolerance", input.tolerance, Range::within(1e-14, 1e-2), "1");
+  input.convection = named_choice(table, "convection", input.convection,
+                                  {{"upwind", Convection::upwind},
+                                   {"central", Convection::central},
+                                   {"blend", Convection::blend},
+                                   {"quick", Convection::quick},
+                                   {"tvd", Convection::tvd}});
+  input.blend = table.when(input.convection == Convection::blend, "convection = \"blend\"")
+                    .number("blend", input.blend, Range::within(0, 1), "1");
+  input.correction_passes = table.integer("correction_passes", 0, Range::within(1, 50));
+  table.note_default("correction_passes", "1, 3 of \"crank_nicolson\"");
+  input.pressure_velocity = named_choice(table, "pressure_velocity", input.pressure_velocity,
+                                         {{"projection", PressureVelocity::projection},
+                                          {"simple", PressureVelocity::simple},
+                                          {"simplec", PressureVelocity::simplec}});
+  read_outer_iterations(table, input);
+}
+
+}  // namespace gasgrain
