@@ -73,7 +73,7 @@ CouplingPort::CouplingPort(GasSolver& solver, const GasInput& input, MPI_Comm pa
   }
 }
 
-void CouplingPort::serve(const std::function<void()>& after_interval) {
+void CouplingPort::serve(const std::function<void(const GasReport&)>& after_interval) {
   while (true) {
     Command command;
     {
@@ -86,12 +86,11 @@ void CouplingPort::serve(const std::function<void()>& after_interval) {
       send_report(local_, partner_, Report{});
       continue;
     }
-    couple(command);
-    after_interval();
+    after_interval(couple(command));
   }
 }
 
-void CouplingPort::couple(const Command& command) {
+GasReport CouplingPort::couple(const Command& command) {
   constexpr double tolerance = 1e-3;  // of the interval: sums of steps differ by round-off only
   if (std::abs(command.time - solver_.time()) > tolerance * command.interval)
     fail(
@@ -115,6 +114,7 @@ void CouplingPort::couple(const Command& command) {
     append(lent, lent_gradient_ = solver_.mean_pressure_gradient());
   if (!lent.empty()) transport_.send(lent, lent_tag);
   send_report(local_, partner_, report_of(done));
+  return done;
 }
 
 void CouplingPort::take_solids(bool fresh) {

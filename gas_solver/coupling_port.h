@@ -22,10 +22,10 @@ class CouplingPort {
 
   // Serves the DEM program until it finishes; `after_interval` is called when an interval is done
   // and the particles have their fields. Collective over both programs.
-  void serve(const std::function<void()>& after_interval);
+  void serve(const std::function<void(const GasReport&)>& after_interval);
 
  private:
-  void couple(const Command& command);
+  GasReport couple(const Command& command);
   void take_solids(bool fresh);
   void take_drag();
   [[nodiscard]] Report report_of(const GasReport& done) const;

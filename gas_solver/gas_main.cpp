@@ -17,7 +17,9 @@
 #include "coupling/transport/launch.h"
 #include "gas_solver/coupling_port.h"
 #include "gas_solver/gas_step.h"
+#include "gas_solver/io/disk.h"
 #include "gas_solver/io/history.h"
+#include "gas_solver/io/progress.h"
 #include "gas_solver/io/snapshots.h"
 
 namespace gasgrain {
@@ -34,17 +36,6 @@ struct Options {
 // The intervals of a run without particles, when [output] every names none.
 constexpr double default_interval_steps = 10;
 
-void show_progress(const GasReport& report, double end, bool last) {
-  const bool on_terminal = isatty(STDOUT_FILENO) != 0;
-  fmt::print(
-      "{}t = {:.6g} of {:.6g} s, {} steps of {:.3g} s, Courant number {:.3g}, inflow {:.6g}, "
-      "outflow {:.6g} kg/s{}",
-      on_terminal ? "\r\033[K" : "", report.time, end, report.substeps, report.step,
-      report.courant_max, report.mass_inflow, report.mass_outflow,
-      on_terminal && !last ? "" : "\n");
-  std::fflush(stdout);
-}
-
 void run_alone(const Options& options, const GasInput& input, const Communicator& comm) {
   GasSolver gas(input, comm);
   if (comm.is_root()) std::filesystem::create_directories(options.out);
@@ -59,6 +50,8 @@ void run_alone(const Options& options, const GasInput& input, const Communicator
   if (comm.is_root()) history = std::make_unique<History>(options.out, input, begin);
   if (snapshots && !restarted) snapshots->write(gas);
 
+  RunProgress progress(gas.time(), input.end, isatty(STDOUT_FILENO) != 0);
+  SubstepNote note(input, gas.time());
   const double interval =
       input.output_every > 0 ? input.output_every : default_interval_steps * input.step;
   const double round_off = 1e-9 * interval;
@@ -68,8 +61,11 @@ void run_alone(const Options& options, const GasInput& input, const Communicator
     const GasReport report = gas.advance(std::min(next, input.end) - gas.time());
     if (history) history->add(report);
     if (snapshots) snapshots->write(gas);
-    if (comm.is_root()) show_progress(report, input.end, gas.time() >= input.end - round_off);
+    if (!comm.is_root()) continue;
+    if (const std::string text = note.after(report); !text.empty()) progress.tell(text);
+    progress.show(report);
   }
+  progress.finish();
   gas.write_checkpoint(options.out + "/gas.checkpoint.h5");
 }
 
@@ -92,14 +88,23 @@ void run_coupled(const Options& options, const GasInput& input, const Launch& la
     return static_cast<long>(std::floor(gas.time() / input.output_every + round_off));
   };
   long written = snapshots ? due() : 0;
-  port.serve([&] {
+  SubstepNote note(input, gas.time());
+  port.serve([&](const GasReport& report) {
+    if (const std::string text = note.after(report); !text.empty() && comm.is_root()) {
+      fmt::print("{}\n", text);
+      std::fflush(stdout);
+    }
     if (!snapshots || due() <= written) return;
     const Stopwatch watch(gas.costs(), cost_output);
     snapshots->write(gas);
     written = due();
   });
   const std::string ledger = gas.costs().json(comm);
-  if (comm.is_root()) std::ofstream(options.out + "/ledger.gas.json") << ledger << '\n';
+  if (!comm.is_root()) return;
+  const std::string ledger_file = options.out + "/ledger.gas.json";
+  std::ofstream out(ledger_file);
+  if (!(out << ledger << std::endl))
+    fail("{}: cannot be written: {}.", ledger_file, why_not_written(ledger_file));
 }
 
 void run(const Options& options, const Launch& launch) {
@@ -136,6 +141,13 @@ int parse(int argc, char** argv, Options& options) {
   app.add_option("--restart", options.restart, "checkpoint to go on from");
   app.add_option("--ranks", options.ranks, "with --check: number of gas ranks the grid must fit")
       ->check(CLI::PositiveNumber);
+  app.add_flag_callback(
+      "--keys",
+      [] {
+        fmt::print("{}", gas_input_keys());
+        throw CLI::Success();
+      },
+      "print the keys of gas.toml with unit, range and default");
   app.add_flag("--check", options.check, "read and check the input, run nothing");
   try {
     app.parse(argc, argv);
@@ -152,6 +164,8 @@ int main(int argc, char** argv) {
   MPI_Init(&argc, &argv);
   // mpirun passes the wish to stop on to all; the DEM program decides when, the gas follows it.
   std::signal(SIGUSR1, SIG_IGN);
+  // A file that grows over the process' limit is then an error of writing, with a message.
+  std::signal(SIGXFSZ, SIG_IGN);
   gasgrain::Communicator local(MPI_COMM_WORLD);
   int status = 0;
   try {

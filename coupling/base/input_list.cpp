@@ -78,7 +78,7 @@ Int3 InputTable::int3(const std::string& key, std::optional<Int3> fallback, Rang
 std::vector<std::array<double, 2>> InputTable::pairs(const std::string& key, Range range,
                                                      const std::string& first,
                                                      const std::string& second) {
-  const std::string what = fmt::format("list of [{}, {}]", first, second);
+  const std::string what = fmt::format("list of [{}, {}], each {}", first, second, range.text());
   const toml::node* node = find(key, "", what, "none");
   std::vector<std::array<double, 2>> pairs;
   if (node == nullptr) return pairs;
@@ -94,7 +94,7 @@ std::vector<std::array<double, 2>> InputTable::pairs(const std::string& key, Ran
     if (right) pairs.push_back({*a, *b});
   }
   if (right) return pairs;
-  fault(key, fmt::format("{} must be a {}, each {}.", dotted(key), what, range.text()));
+  fault(key, fmt::format("{} must be a {}.", dotted(key), what));
   return {};
 }
 

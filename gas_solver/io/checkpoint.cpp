@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "coupling/base/error.h"
+#include "gas_solver/io/disk.h"
 #include "gas_solver/io/parallel_file.h"
 
 namespace gasgrain {
@@ -69,18 +70,27 @@ void CheckpointWriter::field(const std::string& name, int component, const Array
 }
 
 void CheckpointWriter::finish() {
+  file_->close();
   file_.reset();
+  // A rank that could not write its share does not come here.
+  MPI_Barrier(domain_.comm().handle());
   long failed = 0;
-  if (domain_.comm().is_root())
-    failed = std::rename(beside(name_).c_str(), name_.c_str()) == 0 ? 0 : errno;
+  if (domain_.comm().is_root()) failed = put_in_place(beside(name_), name_);
   failed = domain_.comm().sum(failed);
   if (failed != 0)
-    fail("{}: cannot be written ({}).", name_, std::strerror(static_cast<int>(failed)));
+    fail("{}: cannot be written: {}.", name_, std::strerror(static_cast<int>(failed)));
+}
+
+CheckpointWriter::~CheckpointWriter() {
+  // Half a checkpoint is of no use to anyone and takes room that is wanted.
+  if (file_ && domain_.comm().is_root()) std::remove(beside(name_).c_str());
 }
 
 CheckpointReader::CheckpointReader(const std::string& file, const Domain& domain)
     : CheckpointFile(file, domain) {
   file_ = std::make_unique<ParallelFile>(file, ParallelFile::Mode::read, domain.comm());
+  if (!file_->has_numbers("/", "gas_checkpoint_version"))
+    fail("{} is an HDF5 file, but no gas checkpoint.", file);
   const double version = file_->read_numbers("/", "gas_checkpoint_version").at(0);
   if (version != format_version)
     fail(

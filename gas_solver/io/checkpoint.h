@@ -1,6 +1,6 @@
 // The file a run goes on from. A writer and a reader with the same calls, so that one list of
 // fields serves both. The file is written beside its name and renamed when whole: a run that is
-// killed while it writes leaves the checkpoint before.
+// killed while it writes, or whose disk is full, leaves the checkpoint before.
 #pragma once
 
 #include <memory>
@@ -31,9 +31,13 @@ class CheckpointFile {
 class CheckpointWriter : public CheckpointFile {
  public:
   CheckpointWriter(const std::string& file, const Domain& domain);
+  ~CheckpointWriter();
+  CheckpointWriter(const CheckpointWriter&) = delete;
+  CheckpointWriter& operator=(const CheckpointWriter&) = delete;
   void number(const std::string& name, double value);
   void flag(const std::string& name, bool value) { number(name, value ? 1.0 : 0.0); }
   void field(const std::string& name, int component, const Array3<double>& values);
+  // Renames the file when it is whole on all ranks and on the disk. Without it nothing is left.
   void finish();
 };
 

@@ -1,9 +1,11 @@
 #include "gas_solver/io/history.h"
 
+#include <cstdio>
 #include <cstdlib>
 #include <vector>
 
 #include "coupling/base/error.h"
+#include "gas_solver/io/disk.h"
 
 namespace gasgrain {
 namespace {
@@ -27,7 +29,9 @@ History::History(const std::string& folder, const GasInput& input, double restar
     : name_(folder + "/history.csv") {
   std::vector<std::string> old;
   if (restart_time >= 0) old = lines_until(name_, restart_time);
-  out_.open(name_);
+  // Written beside the old one, which stays when the disk is full.
+  const std::string beside = name_ + ".new";
+  out_.open(beside);
   out_ << "time_s,substeps,step_s,courant_max,pressure_iterations,continuity_residual,"
           "mass_inflow_kg_s,mass_outflow_kg_s,backflow_faces,momentum_not_converged,"
           "drag_impulse_x_Ns,drag_impulse_y_Ns,drag_impulse_z_Ns,bubble_diameter_m,"
@@ -35,6 +39,9 @@ History::History(const std::string& folder, const GasInput& input, double restar
   for (const double z : input.pressure_probes) out_ << fmt::format(",pressure_at_{}_m_Pa", z);
   out_ << '\n';
   for (const std::string& line : old) out_ << line << '\n';
+  flush();
+  if (std::rename(beside.c_str(), name_.c_str()) != 0)
+    fail("{}: cannot be written: {}.", name_, why_not_written(name_));
 }
 
 void History::add(const GasReport& r) {
@@ -46,7 +53,11 @@ void History::add(const GasReport& r) {
       r.drag_impulse[1], r.drag_impulse[2], r.bubble_diameter, r.surface_height);
   for (const double p : r.probe_pressure) out_ << fmt::format(",{:.9g}", p);
   out_ << '\n';
-  if (!out_.flush()) fail("{}: cannot be written: is the disk full?", name_);
+  flush();
+}
+
+void History::flush() {
+  if (!out_.flush()) fail("{}: cannot be written: {}.", name_, why_not_written(name_));
 }
 
 }  // namespace gasgrain

@@ -15,6 +15,8 @@ class History {
   void add(const GasReport& report);
 
  private:
+  void flush();
+
   std::string name_;
   std::ofstream out_;
 };

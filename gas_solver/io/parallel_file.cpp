@@ -1,9 +1,16 @@
 #include "gas_solver/io/parallel_file.h"
 
+#include <exception>
+#include <utility>
+
 #include "coupling/base/error.h"
+#include "gas_solver/io/disk.h"
 
 namespace gasgrain {
 namespace {
+
+// HDF5's own, of a group of datasets: names, shapes, attributes.
+constexpr double bytes_of_structure = 1 << 16;
 
 // Closes an HDF5 identifier at the end of its scope.
 class Handle {
@@ -51,7 +58,7 @@ struct Selection {
 }  // namespace
 
 ParallelFile::ParallelFile(const std::string& name, Mode mode, const Communicator& comm)
-    : name_(name) {
+    : name_(name), comm_(comm) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // we report failures ourselves
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_fapl_mpio(access, comm.handle(), MPI_INFO_NULL);
@@ -59,32 +66,48 @@ ParallelFile::ParallelFile(const std::string& name, Mode mode, const Communicato
     file_ = H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
   else
     file_ = H5Fopen(name.c_str(), mode == Mode::read ? H5F_ACC_RDONLY : H5F_ACC_RDWR, access);
-  require(file_ >= 0, mode == Mode::create ? "cannot be created" : "cannot be opened as HDF5");
+  if (mode == Mode::create)
+    require_written(file_ >= 0, "cannot be created");
+  else if (file_ < 0)
+    fail("{} cannot be opened: {}.", name, why_not_opened(name));
 }
 
 ParallelFile::~ParallelFile() {
-  if (file_ >= 0) H5Fclose(file_);
+  // Closing is collective: in an error that other ranks may not have met they would wait for ever.
+  if (file_ >= 0 && (comm_.size() == 1 || std::uncaught_exceptions() == 0)) H5Fclose(file_);
+}
+
+void ParallelFile::close() {
+  flush();
+  require_written(H5Fclose(std::exchange(file_, H5I_INVALID_HID)) >= 0, "cannot be closed");
 }
 
 void ParallelFile::require(bool success, const std::string& what) const {
   if (!success) fail("{}: {}.", name_, what);
 }
 
+void ParallelFile::require_written(bool success, const std::string& what) const {
+  if (!success) fail("{}: {}: {}.", name_, what, why_not_written(name_));
+}
+
 void ParallelFile::make_group(const std::string& group) {
   const Handle made(H5Gcreate2(file_, group.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
                     H5Gclose);
-  require(made >= 0, "cannot make group " + group);
+  require_written(made >= 0, "cannot make group " + group);
 }
 
 void ParallelFile::write(const std::string& dataset, const FilePart& part,
                          const std::vector<double>& values) {
   const Selection select(part);
+  double bytes = sizeof(double);
+  for (const hsize_t extent : select.whole) bytes *= static_cast<double>(extent);
+  require_room(name_, bytes + bytes_of_structure, comm_);
   const Handle data(H5Dcreate2(file_, dataset.c_str(), H5T_IEEE_F64LE, select.file, H5P_DEFAULT,
                                H5P_DEFAULT, H5P_DEFAULT),
                     H5Dclose);
-  require(data >= 0 && H5Dwrite(data, H5T_NATIVE_DOUBLE, select.memory, select.file,
-                                select.transfer, values.data()) >= 0,
-          "cannot write " + dataset);
+  require_written(data >= 0 && H5Dwrite(data, H5T_NATIVE_DOUBLE, select.memory, select.file,
+                                        select.transfer, values.data()) >= 0,
+                  "cannot write " + dataset);
 }
 
 void ParallelFile::read(const std::string& dataset, const FilePart& part,
@@ -109,8 +132,12 @@ void ParallelFile::write_numbers(const std::string& object, const std::string& n
   const Handle attribute(H5Acreate_by_name(file_, object.c_str(), name.c_str(), H5T_IEEE_F64LE,
                                            space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
                          H5Aclose);
-  require(attribute >= 0 && H5Awrite(attribute, H5T_NATIVE_DOUBLE, values.data()) >= 0,
-          "cannot write " + name);
+  require_written(attribute >= 0 && H5Awrite(attribute, H5T_NATIVE_DOUBLE, values.data()) >= 0,
+                  "cannot write " + name);
+}
+
+bool ParallelFile::has_numbers(const std::string& object, const std::string& name) const {
+  return H5Aexists_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT) > 0;
 }
 
 std::vector<double> ParallelFile::read_numbers(const std::string& object,
@@ -136,11 +163,11 @@ std::vector<std::string> ParallelFile::groups() const {
 }
 
 void ParallelFile::remove(const std::string& group) {
-  require(H5Ldelete(file_, group.c_str(), H5P_DEFAULT) >= 0, "cannot remove " + group);
+  require_written(H5Ldelete(file_, group.c_str(), H5P_DEFAULT) >= 0, "cannot remove " + group);
 }
 
 void ParallelFile::flush() {
-  require(H5Fflush(file_, H5F_SCOPE_GLOBAL) >= 0, "cannot be flushed");
+  require_written(H5Fflush(file_, H5F_SCOPE_GLOBAL) >= 0, "cannot be flushed");
 }
 
 }  // namespace gasgrain

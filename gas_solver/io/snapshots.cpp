@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "coupling/base/error.h"
+#include "gas_solver/io/disk.h"
 #include "gas_solver/io/parallel_file.h"
 
 namespace gasgrain {
@@ -52,8 +53,10 @@ Snapshots::Snapshots(const std::string& folder, const Domain& domain, double res
       name, there ? ParallelFile::Mode::append : ParallelFile::Mode::create, domain.comm());
   if (!there) return;
   for (const std::string& group : file_->groups()) {
-    const double time = file_->read_numbers(group, "time").at(0);
-    if (time > restart_time)
+    // One without a time was not finished.
+    const bool whole = file_->has_numbers(group, "time");
+    const double time = whole ? file_->read_numbers(group, "time").at(0) : restart_time;
+    if (!whole || time > restart_time)
       file_->remove(group);
     else
       times_.push_back(time);
@@ -70,7 +73,6 @@ void Snapshots::write(const GasSolver& gas) {
     file_->write(group + "/" + name, scalar, {field.begin(), field.end()});
   };
   file_->make_group(group);
-  file_->write_numbers(group, "time", {gas.time()});
   write_scalar("void_fraction", gas.void_fraction());
   write_scalar("pressure", gas.pressure());
   const CellVector velocity = gas.cell_velocity();
@@ -79,6 +81,7 @@ void Snapshots::write(const GasSolver& gas) {
   for (std::size_t n = 0; n < own.size(); ++n)
     for (int d = 0; d < 3; ++d) vectors.push_back(velocity[d][n]);
   file_->write(group + "/velocity", {domain_.grid().cells, own, 3}, vectors);
+  file_->write_numbers(group, "time", {gas.time()});
   file_->flush();
   times_.push_back(gas.time());
   if (domain_.comm().is_root()) write_xdmf();
@@ -98,7 +101,7 @@ void Snapshots::write_xdmf() const {
           << attribute(cells, 1, group_name(n), "pressure")
           << attribute(cells, 3, group_name(n), "velocity") << "      </Grid>\n";
     out << "    </Grid>\n  </Domain>\n</Xdmf>\n";
-    if (!out.flush()) fail("{}: cannot be written: is the disk full?", name);
+    if (!out.flush()) fail("{}: cannot be written: {}.", name, why_not_written(name));
   }
   std::filesystem::rename(name + ".new", name);
 }
