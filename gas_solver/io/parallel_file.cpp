@@ -74,7 +74,9 @@ ParallelFile::ParallelFile(const std::string& name, Mode mode, const Communicato
 
 ParallelFile::~ParallelFile() {
   // Closing is collective: in an error that other ranks may not have met they would wait for ever.
-  if (file_ >= 0 && (comm_.size() == 1 || std::uncaught_exceptions() == 0)) H5Fclose(file_);
+  const bool nobody_waits = comm_.size() == 1 || std::uncaught_exceptions() == 0;
+  // HDF5 does not get over a file that it could not write when it tries to close it.
+  if (file_ >= 0 && nobody_waits && !broken_) H5Fclose(file_);
 }
 
 void ParallelFile::close() {
@@ -86,8 +88,10 @@ void ParallelFile::require(bool success, const std::string& what) const {
   if (!success) fail("{}: {}.", name_, what);
 }
 
-void ParallelFile::require_written(bool success, const std::string& what) const {
-  if (!success) fail("{}: {}: {}.", name_, what, why_not_written(name_));
+void ParallelFile::require_written(bool success, const std::string& what) {
+  if (success) return;
+  broken_ = true;
+  fail("{}: {}: {}.", name_, what, why_not_written(name_));
 }
 
 void ParallelFile::make_group(const std::string& group) {

@@ -48,11 +48,12 @@ class ParallelFile {
 
  private:
   void require(bool success, const std::string& what) const;
-  void require_written(bool success, const std::string& what) const;
+  void require_written(bool success, const std::string& what);
 
   std::string name_;
   Communicator comm_;
   hid_t file_ = H5I_INVALID_HID;
+  bool broken_ = false;  // by a failed write
 };
 
 }  // namespace gasgrain

@@ -1,5 +1,6 @@
 // Checkpoints, snapshots and histories of the gas solver.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -15,7 +16,7 @@ namespace {
 using namespace gas_cases;
 
 std::string folder() {
-  const std::string name = testing::TempDir() + "gas_files_test";
+  const std::string name = testing::TempDir() + "gas_files_test." + std::to_string(getpid());
   std::filesystem::create_directories(name);
   return name;
 }
