@@ -1,6 +1,5 @@
 // gasgrain-gas: the gas solver as a program.
 #include <mpi.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
@@ -50,7 +49,7 @@ void run_alone(const Options& options, const GasInput& input, const Communicator
   if (comm.is_root()) history = std::make_unique<History>(options.out, input, begin);
   if (snapshots && !restarted) snapshots->write(gas);
 
-  RunProgress progress(gas.time(), input.end, isatty(STDOUT_FILENO) != 0);
+  RunProgress progress(gas.time(), input.end, output_on_terminal());
   SubstepNote note(input, gas.time());
   const double interval =
       input.output_every > 0 ? input.output_every : default_interval_steps * input.step;

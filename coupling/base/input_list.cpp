@@ -33,8 +33,9 @@ std::vector<double> InputTable::list(const std::string& key,
   for (const auto& element : *elements) {
     const auto value = number_of(element, range);
     if (!value) {
-      fault(key, fmt::format("every value of {} must be a number{}{}.", dotted(key), bounds,
-                             in_unit(unit)));
+      const auto given = element.is_number() ? element.value<double>() : std::nullopt;
+      fault(key, fmt::format("every value of {} must be a number{}{}{}.", dotted(key), bounds,
+                             in_unit(unit), given ? fmt::format(", {} is not", *given) : ""));
       return otherwise;
     }
     values.push_back(*value);

@@ -1,10 +1,13 @@
 #include "gas_solver/io/progress.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 namespace gasgrain {
 namespace {
@@ -20,6 +23,17 @@ std::string line_text(const GasReport& report, double end) {
 }
 
 }  // namespace
+
+bool output_on_terminal() {
+  if (isatty(STDOUT_FILENO) == 0) return false;
+  if (std::getenv("OMPI_COMM_WORLD_LOCAL_RANK") == nullptr) return true;
+  const std::string of_parent = fmt::format("/proc/{}/fd/{}", getppid(), STDOUT_FILENO);
+  const int output = open(of_parent.c_str(), O_WRONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+  if (output < 0) return false;
+  const bool terminal = isatty(output) != 0;
+  close(output);
+  return terminal;
+}
 
 std::string bar_text(double fraction, double time, double end, double left_s) {
   constexpr double width = 30;

@@ -8,6 +8,10 @@
 
 namespace gasgrain {
 
+// Whether standard output is drawn on a terminal. mpirun gives its ranks a terminal of their own,
+// whatever its own output goes to: then it is mpirun's that counts.
+bool output_on_terminal();
+
 // '[#####.....] 50 %  1.5 of 3 s  left 0:01:30', the bar that many characters wide.
 std::string bar_text(double fraction, double time, double end, double left_s);
 

@@ -10,7 +10,7 @@ import shutil
 import subprocess
 import unittest
 
-from gas_alone import Run
+from gas_alone import BIN, Run
 
 SOON = 15.0  # s; ranks that did not meet the error themselves are given 3 s
 
@@ -47,6 +47,22 @@ class Disk(unittest.TestCase):
             with self.subTest(ranks=ranks), Run() as run:
                 self.expect_error(run.gas(ranks=ranks, every=0.005, blocks=300),
                                   f"{run.out}/gas.h5 cannot be written", "limit of a file's size")
+
+    def test_writes_that_fail_without_a_warning(self):
+        # 3 blocks: the head of the file; 64, 200: within a field.
+        preload = next(BIN.rglob("libunknown_room.so"))
+        for ranks in (1, 2):
+            for blocks in (3, 64, 200):
+                with self.subTest(ranks=ranks, blocks=blocks), Run() as run:
+                    self.expect_fine(run.gas(ranks=ranks))
+                    file = run.out / "gas.checkpoint.h5"
+                    before = file.read_bytes()
+                    restart = ("--restart", str(file))
+                    self.expect_error(run.gas(*restart, ranks=ranks, end=0.04, blocks=blocks,
+                                              preload=preload),
+                                      f"{file}.new: cannot", ": File too large.")
+                    self.assertEqual(file.read_bytes(), before)
+                    self.expect_fine(run.gas(*restart, ranks=ranks, end=0.04))
 
     def test_no_room_for_the_history(self):
         for ranks in (1, 2):

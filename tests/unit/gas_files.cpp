@@ -15,10 +15,15 @@ namespace {
 
 using namespace gas_cases;
 
-std::string folder() {
-  const std::string name = testing::TempDir() + "gas_files_test." + std::to_string(getpid());
-  std::filesystem::create_directories(name);
-  return name;
+// Of this process, removed at its end.
+const std::string& folder() {
+  struct Folder {
+    std::string name = testing::TempDir() + "gas_files_test." + std::to_string(getpid());
+    Folder() { std::filesystem::create_directories(name); }
+    ~Folder() { std::filesystem::remove_all(name); }
+  };
+  static const Folder of_this_process;
+  return of_this_process.name;
 }
 
 GasInput spout(int cells_z = 14) {

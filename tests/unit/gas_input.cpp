@@ -55,6 +55,16 @@ pressure_probes = [0.5, 1.5]
     EXPECT_NE(faults.find(fault), std::string::npos) << fault << "\n" << faults;
 }
 
+TEST(gas_input, negative_cell_count_is_told_with_what_is_allowed) {
+  const std::string faults = faults_of(changed("[36, 6, 220]", "[36, -6, 220]"));
+  EXPECT_NE(faults.find(":4: every value of grid.cells must be a number from 1 to 100000, -6 is "
+                        "not."),
+            std::string::npos)
+      << faults;
+  expect_fault(changed("[36, 6, 220]", "[36, 6.5, 220]"), "must be three whole numbers");
+  expect_fault(changed("[36, 6, 220]", "[36, 6]"), "must have three values, it has 2");
+}
+
 TEST(gas_input, patch_outside_its_side_names_both_extents) {
   expect_fault(changed("[0.075, 0.01]", "[0.149, 0.01]"),
                "the inflow covers x 0.1465 to 0.1515, y 0.0075 to 0.0125 m, which leaves its side "
