@@ -19,7 +19,7 @@ std::vector<double> InputTable::list(const std::string& key,
                                      const std::optional<std::vector<double>>& other, Range range,
                                      const std::string& unit, std::size_t count,
                                      const std::string& kind) {
-  const std::vector<double> otherwise = other.value_or(std::vector<double>(count, 0.0));
+  const std::vector<double> otherwise = other.value_or(std::vector<double>{});
   const std::string bounds =
       std::isfinite(range.min) || std::isfinite(range.max) ? " " + range.text() : "";
   const toml::node* node = find(key, unit, kind + bounds, other ? in_brackets(*other) : "");
@@ -62,7 +62,7 @@ Vec3 InputTable::vec3(const std::string& key, std::optional<Vec3> fallback, Rang
   std::optional<std::vector<double>> other;
   if (fallback) other = std::vector<double>{fallback->x(), fallback->y(), fallback->z()};
   const std::vector<double> values = list(key, other, range, unit, 3, "three numbers");
-  return {values[0], values[1], values[2]};
+  return values.empty() ? Vec3(Vec3::Zero()) : Vec3(values[0], values[1], values[2]);
 }
 
 Int3 InputTable::int3(const std::string& key, std::optional<Int3> fallback, Range range) {
@@ -70,6 +70,7 @@ Int3 InputTable::int3(const std::string& key, std::optional<Int3> fallback, Rang
   if (fallback) other = std::vector<double>(fallback->begin(), fallback->end());
   const std::vector<double> values = list(key, other, range, "1", 3, "three whole numbers");
   Int3 whole{0, 0, 0};
+  if (values.empty()) return whole;
   for (int d = 0; d < 3; ++d) whole[d] = static_cast<int>(values[d]);
   if (std::vector<double>(whole.begin(), whole.end()) == values) return whole;
   fault(key, fmt::format("{} must be three whole numbers.", dotted(key)));

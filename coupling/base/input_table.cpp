@@ -1,4 +1,5 @@
 #include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 

@@ -44,9 +44,11 @@ void TomlInput::remember(InputKey key) {
 }
 
 std::vector<std::string> TomlInput::known_in(const std::string& path) const {
+  const std::string before = path.empty() ? "" : path + ".";
   std::vector<std::string> names;
   for (const InputKey& known : known_)
-    if (known.path == (path.empty() ? known.key : path + "." + known.key))
+    if (known.path.size() == before.size() + known.key.size() &&
+        known.path.compare(0, before.size(), before) == 0)
       names.push_back(known.key);
   return names;
 }

@@ -54,6 +54,7 @@ class InputTable {
                      const std::vector<std::string>& allowed);
   std::vector<double> numbers(const std::string& key, std::optional<std::vector<double>> fallback,
                               Range range, const std::string& unit);
+  // Required; empty when absent or at fault.
   std::vector<double> two_numbers(const std::string& key, Range range, const std::string& unit);
   Vec3 vec3(const std::string& key, std::optional<Vec3> fallback, Range range,
             const std::string& unit);

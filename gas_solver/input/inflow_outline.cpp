@@ -19,9 +19,9 @@ Outline read_outline(InputTable& table, const Rectangle& side) {
                                  .two_numbers("size", Range::positive(), "m");
   const double diameter = table.when(round, R"(shape = "circle")")
                               .number("diameter", std::nullopt, Range::positive(), "m");
-  if (round) size = {diameter, diameter};
-  // Without an extent, which is a fault already, the patch is of no more use.
-  if (whole || !(size[0] > 0 && size[1] > 0) || !table.has("center")) return {side, false};
+  if (round && diameter > 0) size = {diameter, diameter};
+  if (whole) return {side, false};
+  if (center.empty() || size.empty()) return {{side.lo, side.lo}, false};
   Outline outline{{}, round};
   for (int d = 0; d < 2; ++d) {
     outline.bounds.lo[d] = center[d] - 0.5 * size[d];

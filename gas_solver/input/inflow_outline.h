@@ -8,7 +8,8 @@
 
 namespace gasgrain {
 
-// `side`: the rectangle of the whole side that the patch lies in.
+// `side`: the rectangle of the whole side that the patch lies in. What is at fault becomes an
+// outline without area, which clashes with nothing.
 Outline read_outline(InputTable& table, const Rectangle& side);
 
 // Whether one rectangle lies in another, but for round-off.

@@ -25,8 +25,11 @@ std::vector<double> numbers_of(const BoxGrid& grid) {
 }
 
 std::string text_of(const std::vector<double>& n) {
-  return fmt::format("{} x {} x {} cells from ({}, {}, {}) to ({}, {}, {}) m", n[2], n[6], n[10],
-                     n[0], n[4], n[8], n[1], n[5], n[9]);
+  std::string periodic;
+  for (std::size_t d = 0; d < 3; ++d)
+    if (n[4 * d + 3] != 0) periodic += fmt::format(", periodic along {}", "xyz"[d]);
+  return fmt::format("{} x {} x {} cells from ({}, {}, {}) to ({}, {}, {}) m{}", n[2], n[6], n[10],
+                     n[0], n[4], n[8], n[1], n[5], n[9], periodic);
 }
 
 std::string beside(const std::string& file) {
@@ -77,8 +80,10 @@ void CheckpointWriter::finish() {
   long failed = 0;
   if (domain_.comm().is_root()) failed = put_in_place(beside(name_), name_);
   failed = domain_.comm().sum(failed);
-  if (failed != 0)
+  if (failed != 0) {
+    if (domain_.comm().is_root()) std::remove(beside(name_).c_str());
     fail("{}: cannot be written: {}.", name_, std::strerror(static_cast<int>(failed)));
+  }
 }
 
 CheckpointWriter::~CheckpointWriter() {

@@ -64,6 +64,15 @@ class Disk(unittest.TestCase):
                     self.assertEqual(file.read_bytes(), before)
                     self.expect_fine(run.gas(*restart, ranks=ranks, end=0.04))
 
+    def test_a_checkpoint_that_is_cut_short(self):
+        for ranks in (1, 2):
+            with self.subTest(ranks=ranks), Run() as run:
+                self.expect_fine(run.gas(ranks=ranks))
+                file = run.out / "gas.checkpoint.h5"
+                file.write_bytes(file.read_bytes()[:-1000])
+                self.expect_error(run.gas("--restart", str(file), ranks=ranks, end=0.04),
+                                  f"{file} cannot be opened: it is cut short or damaged")
+
     def test_no_room_for_the_history(self):
         for ranks in (1, 2):
             with self.subTest(ranks=ranks), Run() as run:

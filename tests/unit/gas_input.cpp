@@ -111,6 +111,20 @@ TEST(gas_input, faulty_grid_does_not_raise_faults_of_what_lies_in_it) {
   EXPECT_EQ(faults.find("inflow"), std::string::npos) << faults;
 }
 
+TEST(gas_input, faulty_patch_does_not_raise_faults_of_where_it_lies) {
+  for (const char* line : {"diameter = 0.005", "center = [0.075, 0.01]"}) {
+    const std::string faults =
+        faults_of(changed(line, "") +
+                  "[[inflow]]\nside = \"z_lo\"\n"
+                  "shape = \"rectangle\"\ncenter = [0.02]\nsize = [1e-3, 1e-3]\nvelocity = 1\n");
+    EXPECT_NE(faults.find("[[inflow]] lacks the key"), std::string::npos) << faults;
+    EXPECT_NE(faults.find("inflow.center must have two values, it has 1."), std::string::npos)
+        << faults;
+    EXPECT_EQ(faults.find("overlaps"), std::string::npos) << faults;
+    EXPECT_EQ(faults.find("leaves its side"), std::string::npos) << faults;
+  }
+}
+
 TEST(gas_input, circle_and_rectangles_have_exact_common_areas) {
   const Outline circle{{{-1, -1}, {1, 1}}, true};
   EXPECT_NEAR(common_area(circle, {{-2, -2}, {2, 2}}), M_PI, 1e-14);

@@ -191,7 +191,7 @@ TEST(gas_input_choices, every_key_is_in_the_table_of_keys) {
   for (const char* line :
        {"| `[grid] lo`, `hi` | m | three numbers | required |\n",
         "| `[gas] density` | kg/m3 | greater than 0 | 1.2; with law = \"constant_density\" |\n",
-        "| `[[inflow]] table` |  | list of [time in s, factor] | none |\n",
+        "| `[[inflow]] table` |  | list of [time in s, factor], each at least 0 | none |\n",
         "| `[[mass_source]] rate` | kg/s | any finite number | required |\n"})
     EXPECT_NE(keys.find(line), std::string::npos) << line << "\n" << keys;
 }

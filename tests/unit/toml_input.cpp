@@ -1,6 +1,7 @@
 #include "coupling/base/toml_input.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <fstream>
@@ -11,7 +12,8 @@ namespace gasgrain {
 namespace {
 
 std::string written(const std::string& text) {
-  const std::string name = testing::TempDir() + "toml_input_test.toml";
+  const std::string name =
+      testing::TempDir() + "toml_input_test." + std::to_string(getpid()) + ".toml";
   std::ofstream(name) << text;
   return name;
 }
@@ -56,6 +58,43 @@ TEST(toml_input, all_faults_come_together_each_with_its_line) {
 TEST(toml_input, a_missing_key_is_named_with_its_table) {
   EXPECT_NE(faults_of("[gas]\n[grid]\ncells = [1, 1, 1]\n").find("[gas] lacks the key density"),
             std::string::npos);
+}
+
+void read_shape(InputTable root) {
+  for (InputTable& table : root.tables("shape")) {
+    const bool round = table.choice("kind", "round", {"round", "square"}) == "round";
+    table.when(round, "kind = \"round\"").number("diameter", std::nullopt, Range::positive(), "m");
+    for (const char* edge : {"width", "height"})
+      table.when(!round, "kind = \"square\"").number(edge, 1.0, Range::within(0, 2), "m");
+  }
+}
+
+std::string faults_of_shape(const std::string& text) {
+  TomlInput input(written(text));
+  read_shape(input.root());
+  try {
+    input.finish();
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(toml_input, a_key_is_asked_for_with_its_choice_only) {
+  EXPECT_EQ(faults_of_shape("[[shape]]\nkind = \"square\"\nwidth = 2\n"), "");
+  EXPECT_NE(faults_of_shape("[[shape]]\n").find("[[shape]] lacks the key diameter."),
+            std::string::npos);
+  EXPECT_NE(faults_of_shape("[[shape]]\nkind = \"square\"\ndiameter = 2\n")
+                .find(":3: shape.diameter goes only with kind = \"round\": set that, or leave the "
+                      "key out."),
+            std::string::npos);
+}
+
+TEST(toml_input, all_keys_are_listed_with_what_they_may_hold) {
+  EXPECT_EQ(TomlInput::key_table(read_shape),
+            "| `[[shape]] kind` |  | \"round\", \"square\" | \"round\" |\n"
+            "| `[[shape]] diameter` | m | greater than 0 | required; with kind = \"round\" |\n"
+            "| `[[shape]] width`, `height` | m | from 0 to 2 | 1; with kind = \"square\" |\n");
 }
 
 TEST(toml_input, a_file_that_is_not_toml_gives_its_line) {
