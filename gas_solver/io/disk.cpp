@@ -81,6 +81,10 @@ void require_room(const std::string& file, double bytes, const Communicator& com
 
 std::string why_not_written(const std::string& file) {
   constexpr std::size_t probe_bytes = 1 << 20;  // more than what a full disk's last block may take
+  {
+    const Descriptor itself(file, O_WRONLY);
+    if (itself < 0 && errno != ENOENT) return std::strerror(errno);
+  }
   const std::string name = file + ".probe";
   int failure = 0;
   {
