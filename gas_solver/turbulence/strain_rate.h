@@ -26,19 +26,18 @@ class StrainRate {
 
   // At the cell at offset o.
   [[nodiscard]] double squared(std::ptrdiff_t o) const {
-    double normal = 0;
-    double divergence = 0;
-    double shear = 0;
+    std::array<double, 3> along;
+    double sum = 0;
     for (int a = 0; a < 3; ++a) {
-      const double g = per_h_[a] * (u_[a][o + s_[a]] - u_[a][o]);
-      normal += g * g;
-      divergence += g;
+      along[a] = per_h_[a] * (u_[a][o + s_[a]] - u_[a][o]);
       for (int b = 0; b < a; ++b) {
-        const double sum = across(a, b, o) + across(b, a, o);
-        shear += sum * sum;
+        // 2 sum of squares - 2/3 square of the sum, in a form that round-off leaves >= 0.
+        const double difference = along[a] - along[b];
+        const double shear = across(a, b, o) + across(b, a, o);
+        sum += 2.0 / 3.0 * difference * difference + shear * shear;
       }
     }
-    return 2.0 * normal - 2.0 / 3.0 * divergence * divergence + shear;
+    return sum;
   }
 
  private:
