@@ -136,9 +136,9 @@ ScalarReport ScalarEquation::solve(Array3<double>& phi) {
     const Change last = sweep(phi, false);
     halo_.exchange({&phi});
     ++report.sweeps;
-    const double change = domain_.comm().max(last.greatest);
-    const double scale = choices_.positive ? 1.0 : domain_.comm().max(last.scale);
-    report.converged = change <= choices_.tolerance * scale;
+    report.converged = choices_.positive ? domain_.comm().max(last.excess) <= 0
+                                         : domain_.comm().max(last.greatest) <=
+                                               choices_.tolerance * domain_.comm().max(last.scale);
   }
   fill_ghost_cells(domain_, phi);
   return report;
@@ -159,9 +159,9 @@ ScalarEquation::Change ScalarEquation::sweep(Array3<double>& phi, bool forth) co
     const double difference = std::abs(value - phi[o]);
     const double size = std::abs(value);
     phi[o] = value;
-    change.greatest =
-        std::max(change.greatest, choices_.positive && size > 0 ? difference / size : difference);
+    change.greatest = std::max(change.greatest, difference);
     change.scale = std::max(change.scale, size);
+    change.excess = std::max(change.excess, difference - choices_.tolerance * size);
   };
   const int rows_y = own.extent(1);
   const int lines = rows_y * own.extent(2);

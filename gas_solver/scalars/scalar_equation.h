@@ -79,8 +79,9 @@ class ScalarEquation {
   void close_sides(const ScalarTerms& terms, const std::array<Array3<double>, 3>& mass_flux,
                    const ScalarBoundary& boundary);
   struct Change {
-    double greatest = 0;  // as solve() measures it
+    double greatest = 0;  // |change| of a cell
     double scale = 0;     // greatest |phi|
+    double excess = -1;   // greatest of |change| - tolerance |phi| of a cell
   };
   Change sweep(Array3<double>& phi, bool forth) const;
 

@@ -69,8 +69,6 @@ double steady_error(int n, bool limited) {
 
 TEST(gas_scalar_order, upwind_is_of_first_order_in_space) {
   const double order = std::log2(steady_error(48, false) / steady_error(96, false));
-  RecordProperty("order", std::to_string(order));
-  std::printf("order upwind %.3f\n", order);
   EXPECT_GT(order, 0.9);
   EXPECT_LT(order, 1.1);
 }
@@ -79,7 +77,6 @@ TEST(gas_scalar_order, limited_is_of_second_order_in_space) {
   // At its two extrema the limiter falls back to upwind: the mean of |error| keeps the order, the
   // greatest does not.
   const double order = std::log2(steady_error(32, true) / steady_error(64, true));
-  std::printf("order limited %.3f\n", order);
   EXPECT_GT(order, 1.7);
 }
 
@@ -100,7 +97,6 @@ TEST(gas_scalar_order, implicit_euler_is_of_first_order_in_time) {
     second += std::abs(middle(0, 0, k) - fine(0, 0, k));
   }
   const double order = std::log2(first / second);
-  std::printf("order in time %.3f\n", order);
   EXPECT_NEAR(order, 1.0, 0.15);
 }
 
@@ -114,7 +110,6 @@ TEST(gas_scalar_order, wave_decays_and_travels_as_the_exact_one) {
   for (int k = 0; k < 128; ++k)
     error +=
         std::abs(ring.phi(0, 0, k) - 2 - amplitude * std::sin(wave * (ring.z(k) - time))) / 128;
-  std::printf("error of the wave %.4g\n", error);
   // Implicit Euler diffuses by u^2 dt / 2 = 2.5e-4, 2.5 % of the conductance: 0.25 % of the wave.
   EXPECT_LT(error, 4e-3);
 }

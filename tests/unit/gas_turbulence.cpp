@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "gas_solver/turbulence/launder_spalding.h"
-#include "gas_solver/turbulence/strain_rate.h"
 #include "tests/gas_cases.h"
 
 namespace gasgrain {
@@ -150,7 +149,6 @@ TEST(gas_turbulence, homogeneous_turbulence_decays_by_the_power_law_at_first_ord
     EXPECT_NEAR(e, expected_e, 0.1 * expected_e);
   }
   const double order = std::log2(errors[1] / errors[2]);
-  std::printf("decay: errors %.4g %.4g %.4g, order %.3f\n", errors[0], errors[1], errors[2], order);
   EXPECT_NEAR(order, 1.0, 0.1);
   // The first of 200 steps takes e0/k0 dt = 0.025 of k.
   EXPECT_LT(std::abs(errors[2]), 0.02);
@@ -169,7 +167,6 @@ TEST(gas_turbulence, homogeneous_shear_tends_to_the_equilibrium_of_the_model) {
   for (int i = 0; i < 4000; ++i) EXPECT_EQ(s.update(1e-3).capped, 0);
   const double k = s.model.k_epsilon()->k()(1, 1, 1);
   const double e = s.model.k_epsilon()->epsilon()(1, 1, 1);
-  std::printf("shear: S k / e = %.5f, expected %.5f\n", shear * k / e, expected);
   // First order in time: S dt = 0.01.
   EXPECT_NEAR(shear * k / e, expected, 0.01 * expected);
 }
@@ -285,9 +282,7 @@ TEST(gas_turbulence, jet_at_a_high_courant_number_keeps_k_and_epsilon_positive_w
     GasSolver gas(jet_in_bed(TurbulenceModel::k_epsilon), self());
     double courant = 0;
     double greatest = 0;
-    double least_k = 1e300;
     double greatest_k = 0;
-    double greatest_mu = 0;
     long clamped = 0;
     long missed = 0;
     for (int n = 0; n < 60; ++n) {
@@ -301,14 +296,9 @@ TEST(gas_turbulence, jet_at_a_high_courant_number_keeps_k_and_epsilon_positive_w
       for_each_cell(gas.own(), [&](int i, int j, int k) {
         ASSERT_GT(model.k()(i, j, k), 0.0);
         ASSERT_GT(model.epsilon()(i, j, k), 0.0);
-        least_k = std::min(least_k, model.k()(i, j, k));
         greatest_k = std::max(greatest_k, model.k()(i, j, k));
-        greatest_mu = std::max(greatest_mu, model.viscosity()(i, j, k));
       });
     }
-    std::printf("%s: Courant %.1f, speed %.1f, k %.3g to %.3g, mu %.3g, clamped %ld, missed %ld\n",
-                with_bed ? "bed" : "free", courant, greatest, least_k, greatest_k, greatest_mu,
-                clamped, missed);
     EXPECT_GT(courant, 15);
     EXPECT_EQ(clamped, 0);
     EXPECT_EQ(missed, 0);
