@@ -10,7 +10,7 @@ namespace gasgrain {
 namespace {
 
 constexpr double length_per_diameter = 0.07;
-constexpr double least_viscosity_ratio = 10;  // of the ambient turbulence
+constexpr double ambient_viscosity_ratio = 10;  // mu_t / mu
 
 double hydraulic_diameter(const BoxGrid& grid, const InflowPatch& patch) {
   const auto plane = plane_axes(axis_of(patch.side));
@@ -37,8 +37,8 @@ double least_distance(const BoxGrid& grid) {
   return least < none ? least : (grid.hi - grid.lo).minCoeff();
 }
 
-double volume_flow(const InflowPatch& patch, double density) {
-  return patch.mass_flow > 0 ? patch.mass_flow / density : patch.velocity * patch.outline.area();
+double velocity_of(const InflowPatch& patch, double density) {
+  return patch.mass_flow > 0 ? patch.mass_flow / (density * patch.outline.area()) : patch.velocity;
 }
 
 }  // namespace
@@ -57,17 +57,18 @@ Rectangle face_outline(const BoxGrid& grid, int side, const Int3& face) {
 
 InflowTurbulence::InflowTurbulence(const GasInput& input)
     : grid_(input.grid), choice_(input.turbulence), patches_(input.inflows) {
-  double velocity = 0;
+  using namespace launder_spalding;
+  const double diffusivity = ambient_viscosity_ratio * input.viscosity / input.density;
+  double rate = 0;
   for (const InflowPatch& patch : patches_)
-    velocity += volume_flow(patch, input.density) / side_rectangle(grid_, patch.side).area();
-  const double length =
-      choice_.length_scale > 0 ? choice_.length_scale : length_per_diameter * least_distance(grid_);
-  const double of_inflow = choice_.intensity * velocity;
-  // mu_t = rho C_mu^(1/4) k^(1/2) l
-  const double least = least_viscosity_ratio * input.viscosity /
-                       (input.density * launder_spalding::c_mu_25 * length);
-  ambient_.k = std::max(1.5 * of_inflow * of_inflow, least * least);
-  ambient_.e = launder_spalding::dissipation(ambient_.k, length);
+    rate = std::max(rate, velocity_of(patch, input.density) / hydraulic_diameter(grid_, patch));
+  if (rate == 0) {
+    // mu_t = rho C_mu k / rate and rate = C_mu^(3/4) k^(1/2) / l
+    const double length = length_per_diameter * least_distance(grid_);
+    rate = std::sqrt(c_mu) * diffusivity / (length * length);
+  }
+  ambient_.k = diffusivity * rate / c_mu;
+  ambient_.e = ambient_.k * rate;
 }
 
 void InflowTurbulence::update(const std::vector<InflowFace>& faces) {

@@ -7,10 +7,12 @@
 // section 3.7.2, after a pipe's mixing length). An axis of one cell counts as endless: a patch
 // across it is a slot, whose hydraulic diameter is twice its width.
 //
-// The ambient turbulence is that of the start and of backflow through outlets: U is the inflow over
-// the whole side it comes through, l is 0.07 of the least distance between opposite sides. It is at
-// least so strong that mu_t = 10 mu: from k = 0 the model could never grow any, and what shear
-// makes soon outweighs this.
+// The ambient turbulence is that of the start and of backflow through outlets: weak, mu_t = 10 mu,
+// but as fast as the fastest inflow, e/k = U / (4 A / P). From k = 0 the model could never grow
+// any. Slow turbulence would be worse: in shear S much faster than e/k the model lets k grow by
+// about (0.2 S k/e)^2.3 before e catches up, so that a jet that starts in gas of a large k/e drowns
+// in its own mu_t for a while. Without inflow the length is 0.07 of the least distance between
+// opposite sides, which gives e/k.
 #pragma once
 
 #include <vector>
