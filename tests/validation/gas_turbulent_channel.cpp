@@ -44,7 +44,9 @@ Channel channel(int cells, int along, int across, double viscosity) {
   input.turbulence.model = TurbulenceModel::k_epsilon;
   GasSolver gas(input, self());
   gas.state().velocity[along].fill(12.0);
-  for (int s = 0; s < 1500; ++s) gas.advance(input.step);
+  long clamped = 0;
+  for (int s = 0; s < 1500; ++s) clamped += gas.advance(input.step).turbulence_clamped;
+  EXPECT_EQ(clamped, 0);
   Channel result;
   result.viscosity = viscosity;
   for (int c = 0; c < cells; ++c) {
