@@ -47,6 +47,10 @@ GasSolver::GasSolver(const GasInput& input, const Communicator& comm)
     halo_.exchange({&state_.density});
     fill_ghost_cells(domain_, state_.density);
   }
+  if (input_.turbulence.model != TurbulenceModel::none) {
+    turbulence_.emplace(domain_, input_, halo_);
+    task_turbulence_ = costs_.task("turbulence");
+  }
   if (!input_.mass_sources.empty())
     set_mass_source(mass_source_field(domain_, input_.mass_sources));
 }
@@ -125,6 +129,12 @@ void GasSolver::step(double dt, double share, GasReport& report) {
     state_.velocity[axis_of(face.side)](face.face[0], face.face[1], face.face[2]) =
         is_high(face.side) ? -face.volume_flux : face.volume_flux;
   fill_velocity_layers();
+  if (turbulence_) {
+    const Stopwatch watch(costs_, task_turbulence_);
+    const TurbulenceReport done = turbulence_->update(state_, dt, inflow);
+    report.turbulence_clamped += done.floored + done.capped;
+    report.turbulence_not_converged += done.not_converged;
+  }
   predict_and_project(dt, inflow, report);
   require_finite(domain_, state_, time_);
   report.substeps += 1;
@@ -143,7 +153,8 @@ void GasSolver::predict_and_project(double dt, const std::vector<InflowFace>& in
     {
       const Stopwatch watch(costs_, task_momentum_);
       report.momentum_not_converged +=
-          predictor_.predict(state_, {dt, levels_.velocity_before(state_), inflow}).not_converged;
+          predictor_.predict(state_, {dt, levels_.velocity_before(state_), inflow, turbulence()})
+              .not_converged;
     }
     const Stopwatch watch(costs_, task_pressure_);
     done = projection_.project(state_, dt, inflow, predictor_.mobility());
@@ -217,6 +228,7 @@ void GasSolver::read_checkpoint(const std::string& file) {
     fill_ghost_cells(domain_, *field);
   }
   fill_velocity_layers();
+  if (turbulence_) turbulence_->restore(state_);
   void_fraction_from_ = void_fraction_to_ = state_.void_fraction;
   for (CellVector* flux : {&state_.mass_flux, &state_.mass_flux_before})
     for (int d = 0; d < 3; ++d) {
@@ -250,6 +262,7 @@ void GasSolver::exchange_with(File& file) {
     file.field(std::string("mean_pressure_gradient_") + axis, of_cells,
                means_.pressure_gradient[d]);
   }
+  if (turbulence_) turbulence_->exchange_with(file);
 }
 
 Array3<double> GasSolver::void_fraction() const {

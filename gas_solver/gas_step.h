@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@
 #include "gas_solver/momentum/predictor.h"
 #include "gas_solver/pressure/projection.h"
 #include "gas_solver/time_levels.h"
+#include "gas_solver/turbulence/turbulence.h"
 
 namespace gasgrain {
 
@@ -40,10 +42,12 @@ struct GasReport {
   double mass_outflow = 0;         // [kg/s]
   // Inflow + sources - outflow - storage of the whole grid, relative; greatest of the steps.
   double mass_imbalance = 0;
-  long backflow_faces = 0;          // outlet faces where gas comes in
-  long momentum_not_converged = 0;  // components that missed the tolerance, sum
-  long outer_not_converged = 0;     // steps that used all outer iterations, sum
-  long pressure_not_converged = 0;  // steps whose continuity missed the tolerance, sum
+  long backflow_faces = 0;            // outlet faces where gas comes in
+  long momentum_not_converged = 0;    // components that missed the tolerance, sum
+  long outer_not_converged = 0;       // steps that used all outer iterations, sum
+  long pressure_not_converged = 0;    // steps whose continuity missed the tolerance, sum
+  long turbulence_clamped = 0;        // values of k, e, mu_t cut or raised, sum
+  long turbulence_not_converged = 0;  // equations of k, e that missed the tolerance, sum
   // What the gas lost to the grains by drag [N s]: dt sum of (K u - S) V with the mean velocity.
   Vec3 drag_impulse = Vec3::Zero();
   std::vector<double> probe_pressure;  // above the outlet's [Pa], as [output] pressure_probes
@@ -85,13 +89,15 @@ class GasSolver {
   [[nodiscard]] CellVector cell_velocity() const;
   [[nodiscard]] const GasState& state() const { return state_; }
   GasState& state() { return state_; }
+  // Null where [turbulence] names no model.
+  [[nodiscard]] Turbulence* turbulence() { return turbulence_ ? &*turbulence_ : nullptr; }
 
   // HDF5. A run that goes on from a checkpoint is bitwise that which wrote it, on as many ranks.
   // Collective; throws Error when the file is of another grid or version.
   void write_checkpoint(const std::string& file);
   void read_checkpoint(const std::string& file);
 
-  // Seconds by task: "momentum", "pressure", "means", "measures".
+  // Seconds by task: "turbulence", "momentum", "pressure", "means", "measures".
   [[nodiscard]] CostLedger& costs() { return costs_; }
 
  private:
@@ -111,6 +117,7 @@ class GasSolver {
   Inflow inflow_;
   GasState state_;
   TimeLevels levels_;
+  std::optional<Turbulence> turbulence_;
   Predictor predictor_;
   Projection projection_;
   FrontView front_view_;
@@ -123,6 +130,7 @@ class GasSolver {
   Array3<double> void_fraction_to_;
 
   CostLedger costs_;
+  std::size_t task_turbulence_ = 0;
   std::size_t task_momentum_;
   std::size_t task_pressure_;
   std::size_t task_means_;

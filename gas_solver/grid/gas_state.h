@@ -32,7 +32,6 @@ struct GasState {
   Array3<double> drag_coefficient;      // K [kg/(m3 s)]
   CellVector drag_source;               // S [N/m3]
   Array3<double> mass_source;           // S_m [kg/(m3 s)]; where a scene has sources of gas
-  Array3<double> viscosity;             // mu + mu_t [Pa s]; turbulence
   Array3<double> pressure;              // p less that of gas at rest [Pa], see hydrostatic.h
   Array3<double> density;               // rho [kg/m3]; ideal gas
   Array3<double> density_before;        // at the step's beginning

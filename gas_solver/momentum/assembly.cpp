@@ -53,7 +53,11 @@ MomentumAssembly::MomentumAssembly(const Domain& domain, const GasInput& input)
       face_void_fraction_(domain.box(), 1.0) {}
 
 void MomentumAssembly::assemble(const GasState& state, int component, const CellVector& lagged,
-                                const std::vector<InflowFace>& inflow, Array3<MomentumRow>& rows) {
+                                const std::vector<InflowFace>& inflow, const Turbulence* turbulence,
+                                Array3<MomentumRow>& rows) {
+  const Quantity viscosity = turbulence != nullptr
+                                 ? Quantity{FieldQuantity{turbulence->viscosity().data()}}
+                                 : Quantity{ConstantQuantity{viscosity_}};
   convection_.evaluate(state.convecting_flux(), lagged[component], component, inflow);
   std::visit(
       [&](const auto& rho, const auto& mu) {
@@ -65,9 +69,9 @@ void MomentumAssembly::assemble(const GasState& state, int component, const Cell
         }
         for (int side = 0; side < side_count; ++side)
           if (axis_of(side) != component && domain_.touches(side))
-            close_side(component, side, mu, rows);
+            close_side(component, side, mu, turbulence, rows);
       },
-      quantity(state.density, density_), quantity(state.viscosity, viscosity_));
+      quantity(state.density, density_), viscosity);
   if (state.mass_source.size() > 0) add_mass_sources(state, component, rows);
   add_jets(state, component, inflow, rows);
 }
@@ -192,27 +196,38 @@ void MomentumAssembly::outlet_rows(const GasState& state, int side, const Densit
 // What enters along a side carries no velocity along it, and the shear there is the side's own:
 // none, or where the gas sticks, with u_1 and u_2 the first two values inside and U the wall's,
 //   mu (9 u_1 - u_2 - 8 U) / (3 h),
-// exact for a parabola (mu (u_1 - U) / (h / 2) where there is no u_2, or with a wall function).
+// exact for a parabola; mu (u_1 - U) / (h / 2) where there is no u_2; or that of a wall law.
 template <class Viscosity>
 void MomentumAssembly::close_side(int component, int side, const Viscosity& viscosity,
-                                  Array3<MomentumRow>& rows) const {
+                                  const Turbulence* turbulence, Array3<MomentumRow>& rows) const {
   const int axis = axis_of(side);
   const std::ptrdiff_t s = rows.stride(component);
-  const double per_area = 1.0 / (spacing_[axis] * spacing_[axis]);
+  const double h = spacing_[axis];
+  const double molecular = viscosity_ / (h * h);
   const int inner = side_of(axis, !is_high(side));
-  const bool two_cells = domain_.grid().cells[axis] > 1;
+  const bool sticks = sides_[side]->sticks;
+  const bool wall_law = sticks && turbulence != nullptr && turbulence->has_wall_law();
+  const bool parabola = domain_.grid().cells[axis] > 1;
   const double wall = wall_velocity_[side][component];
   const IndexBox faces = beside(unknown_faces(domain_, sides_, component), side, domain_.own());
   for_each_cell(faces, [&](int i, int j, int k) {
     const auto o = rows.offset(i, j, k);
+    const double eps = face_void_fraction_[o];
     MomentumRow& row = rows[o];
-    const double shear = face_value(viscosity, o, s) * face_void_fraction_[o] * per_area;
     row.coefficient[side] = 0.0;
-    row.inverse_diagonal -= shear;  // of inner_rows
-    if (!sides_[side]->sticks) return;
-    row.inverse_diagonal += (two_cells ? 3.0 : 2.0) * shear;
-    if (two_cells) row.coefficient[inner] += shear / 3.0;
-    row.source += (two_cells ? 8.0 / 3.0 : 2.0) * shear * wall;
+    row.inverse_diagonal -= face_value(viscosity, o, s) * eps / (h * h);  // of inner_rows
+    if (!sticks) return;
+    double per_slip = (parabola ? 8.0 / 3.0 : 2.0) * molecular * eps;
+    if (wall_law) {
+      const Array3<double>& law = turbulence->wall_coefficient(side);
+      const auto cell = law.offset(i, j, k);
+      per_slip = face_mean(law, cell, law.stride(component)) * eps / h;
+    } else if (parabola) {
+      row.coefficient[inner] += molecular * eps / 3.0;
+      row.inverse_diagonal += molecular * eps / 3.0;
+    }
+    row.inverse_diagonal += per_slip;
+    row.source += per_slip * wall;
   });
 }
 

@@ -26,6 +26,7 @@
 #include "gas_solver/momentum/momentum_step.h"
 #include "gas_solver/momentum/row.h"
 #include "gas_solver/operators/quantity.h"
+#include "gas_solver/turbulence/turbulence.h"
 
 namespace gasgrain {
 
@@ -34,8 +35,10 @@ class MomentumAssembly {
   MomentumAssembly(const Domain& domain, const GasInput& input);
 
   // Rows of one component, without inertia: see finish_rows.h. The pressure is the state's.
+  // `turbulence`: null where none is named.
   void assemble(const GasState& state, int component, const CellVector& lagged,
-                const std::vector<InflowFace>& inflow, Array3<MomentumRow>& rows);
+                const std::vector<InflowFace>& inflow, const Turbulence* turbulence,
+                Array3<MomentumRow>& rows);
 
   // eps of the component's inner faces of the last assemble().
   [[nodiscard]] const Array3<double>& face_void_fraction() const { return face_void_fraction_; }
@@ -48,7 +51,7 @@ class MomentumAssembly {
   void outlet_rows(const GasState& state, int side, const Density& density,
                    const Viscosity& viscosity, Array3<MomentumRow>& rows) const;
   template <class Viscosity>
-  void close_side(int component, int side, const Viscosity& viscosity,
+  void close_side(int component, int side, const Viscosity& viscosity, const Turbulence* turbulence,
                   Array3<MomentumRow>& rows) const;
   void add_mass_sources(const GasState& state, int component, Array3<MomentumRow>& rows) const;
   void add_jets(const GasState& state, int component, const std::vector<InflowFace>& inflow,

@@ -8,10 +8,13 @@
 
 namespace gasgrain {
 
+class Turbulence;
+
 struct MomentumStep {
   double length;                          // dt [s]
   const CellVector& before;               // velocity at the step's beginning
   const std::vector<InflowFace>& inflow;  // at its end
+  const Turbulence* turbulence;           // null where none is named
 };
 
 }  // namespace gasgrain

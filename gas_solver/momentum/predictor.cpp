@@ -44,7 +44,7 @@ void Predictor::pass(GasState& state, const MomentumStep& step, const CellVector
                      MomentumReport& report) {
   double scale = 0;  // squares of the velocity, components done
   for (int d = 0; d < 3; ++d) {
-    assembly_.assemble(state, d, lagged, step.inflow, rows_);
+    assembly_.assemble(state, d, lagged, step.inflow, step.turbulence, rows_);
     finish_.finish(state, d, step, assembly_.face_void_fraction(), rows_);
     bool converged = false;
     for (int n = 0; n < max_sweeps && !converged; ++n) {

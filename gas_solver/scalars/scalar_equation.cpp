@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "gas_solver/boundary/ghosts.h"
-#include "gas_solver/operators/limiter_van_leer.h"
+#include "gas_solver/operators/convection/tvd.h"
 
 namespace gasgrain {
 namespace {
@@ -78,8 +78,9 @@ void ScalarEquation::limited_gain(const std::array<Array3<double>, 3>& mass_flux
     for_each_cell(lows, [&](int i, int j, int k) {
       const auto o = phi.offset(i, j, k);
       const double f = flux[o] * per_h;
-      addition_[o] = std::max(f, 0.0) * van_leer_addition(phi[o - 2 * s], phi[o - s], phi[o]) +
-                     std::min(f, 0.0) * van_leer_addition(phi[o + s], phi[o], phi[o - s]);
+      addition_[o] =
+          std::max(f, 0.0) * ConvectionTvd().addition(phi[o - 2 * s], phi[o - s], phi[o]) +
+          std::min(f, 0.0) * ConvectionTvd().addition(phi[o + s], phi[o], phi[o - s]);
     });
     for_each_cell(domain_.own(), [&](int i, int j, int k) {
       const auto o = phi.offset(i, j, k);

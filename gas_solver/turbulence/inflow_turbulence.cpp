@@ -80,7 +80,7 @@ void InflowTurbulence::update(const std::vector<InflowFace>& faces) {
   }
   for (std::size_t n = 0; n < faces.size(); ++n) {
     const InflowFace& face = faces[n];
-    const double velocity = face.volume_flux > 0 ? face.momentum_flux / face.volume_flux : 0.0;
+    const double velocity = face.mass_flux > 0 ? face.momentum_flux / face.mass_flux : 0.0;
     const double fluctuation = choice_.intensity * velocity;
     k_[n] = 1.5 * fluctuation * fluctuation;
     e_[n] = launder_spalding::dissipation(k_[n], length_[n]);

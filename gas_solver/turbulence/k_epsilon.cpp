@@ -38,7 +38,8 @@ void add(const ScalarReport& equation, TurbulenceReport& report) {
 KEpsilon::KEpsilon(const Domain& domain, const GasInput& input, Halo& halo)
     : domain_(domain),
       halo_(halo),
-      density_(input.density),
+      constant_density_(input.density),
+      density_(ConstantQuantity{input.density}),
       molecular_(input.viscosity),
       inflow_(input),
       walls_(domain, input),
@@ -81,10 +82,12 @@ void KEpsilon::find_walls() {
 void KEpsilon::set_uniform(const TurbulentValues& values) {
   k_.fill(values.k);
   e_.fill(values.e);
-  restore();
+  TurbulenceReport unused;
+  close(unused);
 }
 
-void KEpsilon::restore() {
+void KEpsilon::restore(const GasState& state) {
+  density_ = quantity(state.density, constant_density_);
   TurbulenceReport unused;
   close(unused);
 }
@@ -92,11 +95,12 @@ void KEpsilon::restore() {
 TurbulenceReport KEpsilon::update(const GasState& state, double step,
                                   const std::vector<InflowFace>& inflow) {
   TurbulenceReport report;
+  density_ = quantity(state.density, constant_density_);
   inflow_.update(inflow);
   set_rates(state);
   set_rates_at_walls(state);
   for (std::size_t n = 0; n < terms_.mass.size(); ++n)
-    terms_.mass[n] = density_ * state.void_fraction[n];
+    terms_.mass[n] = density(static_cast<std::ptrdiff_t>(n)) * state.void_fraction[n];
 
   for_each_cell(domain_.own(), [&](int i, int j, int k) {
     const auto o = k_.offset(i, j, k);
@@ -141,7 +145,8 @@ void KEpsilon::set_rates_at_walls(const GasState& state) {
     const double y = wall.distance;
     production_[at.cell] +=
         at.share * wall.coefficient[at.place] * squared_slip(state.velocity, wall, at.cell) / y;
-    rate_[at.cell] += at.share * wall_dissipation_rate(density_, molecular_, k_[at.cell], y);
+    rate_[at.cell] +=
+        at.share * wall_dissipation_rate(density(at.cell), molecular_, k_[at.cell], y);
   }
 }
 
@@ -161,7 +166,7 @@ void KEpsilon::close(TurbulenceReport& report) {
     counts[0] += (k_[o] < least_k ? 1 : 0) + (e_[o] < least_e ? 1 : 0);
     k_[o] = std::max(k_[o], least_k);
     e_[o] = std::max(e_[o], least_e);
-    if (eddy_viscosity(density_, k_[o], e_[o]) > greatest) ++counts[1];
+    if (eddy_viscosity(density(o), k_[o], e_[o]) > greatest) ++counts[1];
   });
   domain_.comm().sum_in_place(counts);
   report.floored += std::lround(counts[0]);
@@ -170,13 +175,15 @@ void KEpsilon::close(TurbulenceReport& report) {
   fill_ghost_cells(domain_, k_);
   fill_ghost_cells(domain_, e_);
   for (std::size_t n = 0; n < viscosity_.size(); ++n)
-    viscosity_[n] = molecular_ + std::min(eddy_viscosity(density_, k_[n], e_[n]), greatest);
+    viscosity_[n] =
+        molecular_ +
+        std::min(eddy_viscosity(density(static_cast<std::ptrdiff_t>(n)), k_[n], e_[n]), greatest);
   if (molecular_ <= 0) return;
   for (WallSide& wall : walls_.sides())
     for_each_cell(wall.is_wall.box(), [&](int i, int j, int k) {
       if (wall.is_wall(i, j, k))
         wall.coefficient(i, j, k) =
-            wall_coefficient(density_, molecular_, k_(i, j, k), wall.distance);
+            wall_coefficient(density(k_.offset(i, j, k)), molecular_, k_(i, j, k), wall.distance);
     });
 }
 

@@ -19,6 +19,7 @@
 #pragma once
 
 #include "gas_solver/grid/gas_state.h"
+#include "gas_solver/operators/quantity.h"
 #include "gas_solver/scalars/scalar_equation.h"
 #include "gas_solver/turbulence/inflow_turbulence.h"
 #include "gas_solver/turbulence/turbulence_report.h"
@@ -28,6 +29,8 @@ namespace gasgrain {
 
 class KEpsilon {
  public:
+  static constexpr bool has_wall_law = true;
+
   KEpsilon(const Domain& domain, const GasInput& input, Halo& halo);
 
   // Advances k and e by a step with the velocity at its beginning (layers filled) and the last mass
@@ -49,7 +52,7 @@ class KEpsilon {
     file.field("turbulence_epsilon", of_cells, e_);
   }
   // After k and e were read. Collective.
-  void restore();
+  void restore(const GasState& state);
 
  private:
   struct WallCell {
@@ -66,12 +69,16 @@ class KEpsilon {
   void set_rates(const GasState& state);
   void set_rates_at_walls(const GasState& state);
   void set_conductance(const GasState& state, double sigma);
+  [[nodiscard]] double density(std::ptrdiff_t cell) const {
+    return std::visit([&](const auto& rho) { return rho(cell); }, density_);
+  }
   void close(TurbulenceReport& report);
 
   const Domain& domain_;
   Halo& halo_;
-  double density_;
-  double molecular_;  // [Pa s]
+  double constant_density_;
+  Quantity density_ = ConstantQuantity{0};  // the same, or the state's
+  double molecular_;                        // [Pa s]
   InflowTurbulence inflow_;
   WallSides walls_;
   ScalarEquation equation_;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "gas_solver/boundary/ghosts.h"
+#include "gas_solver/operators/quantity.h"
 #include "gas_solver/turbulence/strain_rate.h"
 
 namespace gasgrain {
@@ -22,19 +23,24 @@ Smagorinsky::Smagorinsky(const Domain& domain, const GasInput& input, Halo& halo
     : domain_(domain),
       halo_(halo),
       molecular_(input.viscosity),
+      density_(input.density),
       walls_(domain, input),
       viscosity_(domain.box(), input.viscosity) {
   const double length = input.turbulence.smagorinsky_constant * filter_width(domain.grid());
-  factor_ = input.density * length * length;
+  area_ = length * length;
 }
 
 TurbulenceReport Smagorinsky::update(const GasState& state, double,
                                      const std::vector<InflowFace>&) {
   const StrainRate strain(state.velocity, domain_.grid().spacing());
-  for_each_cell(domain_.own(), [&](int i, int j, int k) {
-    const auto o = viscosity_.offset(i, j, k);
-    viscosity_[o] = molecular_ + factor_ * std::sqrt(strain.squared(o));
-  });
+  std::visit(
+      [&](const auto& rho) {
+        for_each_cell(domain_.own(), [&](int i, int j, int k) {
+          const auto o = viscosity_.offset(i, j, k);
+          viscosity_[o] = molecular_ + area_ * rho(o) * std::sqrt(strain.squared(o));
+        });
+      },
+      quantity(state.density, density_));
   halo_.exchange({&viscosity_});
   fill_ghost_cells(domain_, viscosity_);
   return {};

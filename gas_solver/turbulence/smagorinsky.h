@@ -8,7 +8,7 @@
 // cell deep Delta is the mean (geometric) of the other two spacings: the depth of the one cell says
 // nothing of what the grid resolves. (Large eddies in two dimensions are not turbulence; the model
 // then is a measure of damping.) Walls: no damping (van Driest) and no wall law. Damping acts below
-// y+ = 25, within the first cell of such grids; the stress is mu u / (h / 2), too small where the
+// y+ = 25, within the first cell of such grids; the stress is that of mu alone, too small where the
 // viscous layer is thinner than that cell. The grains' own effect on the subgrid scales is not
 // modelled.
 #pragma once
@@ -26,6 +26,8 @@ double filter_width(const BoxGrid& grid);
 
 class Smagorinsky {
  public:
+  static constexpr bool has_wall_law = false;
+
   Smagorinsky(const Domain& domain, const GasInput& input, Halo& halo);
 
   // Collective; the velocity's layers are filled.
@@ -36,13 +38,14 @@ class Smagorinsky {
   // The viscosity follows from the velocity: nothing to keep.
   template <class File>
   void exchange_with(File&) {}
-  void restore() {}
+  void restore(const GasState&) {}
 
  private:
   const Domain& domain_;
   Halo& halo_;
   double molecular_;  // [Pa s]
-  double factor_;     // rho (C_s Delta)^2 [kg/m]
+  double density_;    // [kg/m3]; where the state has none
+  double area_;       // (C_s Delta)^2 [m2]
   WallSides walls_;
   Array3<double> viscosity_;
 };

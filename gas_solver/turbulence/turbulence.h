@@ -28,6 +28,10 @@ class Turbulence {
     return std::visit(
         [](const auto& m) -> auto& { return m.viscosity(); }, model_);
   }
+  // Whether walls have a law of their own; else their shear is that of the molecular viscosity.
+  [[nodiscard]] bool has_wall_law() const {
+    return std::visit([](const auto& m) { return m.has_wall_law; }, model_);
+  }
   // Wall stress per velocity along a side the gas sticks to (relative to the side), of the layer of
   // cells inside it, [Pa s/m]: mu / (h / 2), or the wall law's. That of a face is the mean of its
   // two cells'.
@@ -45,8 +49,8 @@ class Turbulence {
   void exchange_with(File& file) {
     std::visit([&](auto& m) { m.exchange_with(file); }, model_);
   }
-  void restore() {
-    std::visit([](auto& m) { m.restore(); }, model_);
+  void restore(const GasState& state) {
+    std::visit([&](auto& m) { m.restore(state); }, model_);
   }
 
  private:

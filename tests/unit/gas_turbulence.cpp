@@ -221,8 +221,8 @@ TEST(gas_turbulence, inflow_carries_the_intensity_and_length_it_is_given) {
     input.turbulence.length_scale = length;
     InflowTurbulence turbulence(input);
     const Domain domain(input.grid, self());
-    Inflow inflow(domain, input.inflows);
-    turbulence.update(inflow.at(0));
+    Inflow inflow(domain, input.inflows, input.density);
+    turbulence.update(inflow.at(0, {}));
     ASSERT_GT(turbulence.k().size(), 0U);
     for (std::size_t n = 0; n < turbulence.k().size(); ++n) {
       // The face's own share f cancels: what enters is that of the opening.
