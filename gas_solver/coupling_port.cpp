@@ -33,6 +33,7 @@ DemHello meet(const GasSolver& solver, const GasInput& input, MPI_Comm partner,
   hello.cells = grid.cells;
   hello.density = input.density;
   hello.viscosity = input.viscosity;
+  hello.plane_of_spheres = input.plane_of_spheres > 0 ? 1 : 0;
   hello.whole_pressure_gradient = input.model == GasModel::b ? 1 : 0;
   hello.time = solver.time();
   hello.lends = hello.takes = all_fields().bits();
@@ -164,6 +165,11 @@ Report CouplingPort::report_of(const GasReport& done) const {
   report.mass_inflow = done.mass_inflow;
   report.mass_outflow = done.mass_outflow;
   report.backflow_faces = done.backflow_faces;
+  report.outer_iterations = done.outer_iterations;
+  report.mass_imbalance = done.mass_imbalance;
+  report.outer_not_converged = done.outer_not_converged;
+  report.turbulence_clamped = done.turbulence_clamped;
+  report.turbulence_not_converged = done.turbulence_not_converged;
   report.momentum_not_converged = done.momentum_not_converged;
   report.pressure_not_converged = done.pressure_not_converged;
   report.moved_cells = moved_cells_;

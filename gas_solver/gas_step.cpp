@@ -6,6 +6,7 @@
 #include "coupling/base/error.h"
 #include "gas_solver/io/checkpoint.h"
 #include "gas_solver/mass_source.h"
+#include "gas_solver/operators/quantity.h"
 #include "gas_solver/operators/require_finite.h"
 
 namespace gasgrain {
@@ -205,9 +206,23 @@ double GasSolver::next_step(double left) {
 void GasSolver::measure(GasReport& report) {
   const Stopwatch watch(costs_, task_measures_);
   report.probe_pressure = probes_.measure(state_.pressure, hydrostatic_, input_.outlet_pressure);
+  report.mass = gas_mass();
   const BedShape bed = front_view_.measure(state_.void_fraction);
   report.surface_height = bed.surface_height;
   report.bubble_diameter = bed.bubble_diameter;
+}
+
+double GasSolver::gas_mass() const {
+  double sum = 0;
+  std::visit(
+      [&](const auto& rho) {
+        for_each_cell(own(), [&](int i, int j, int k) {
+          const auto o = state_.void_fraction.offset(i, j, k);
+          sum += rho(o) * state_.void_fraction[o];
+        });
+      },
+      quantity(state_.density, input_.density));
+  return domain_.comm().sum(sum) * grid().cell_volume();
 }
 
 void GasSolver::write_checkpoint(const std::string& file) {
@@ -278,6 +293,18 @@ Array3<double> GasSolver::pressure() const {
     field(i, j, k) = state_.pressure(i, j, k) + hydrostatic_.pressure(i, j, k);
   });
   return field;
+}
+
+std::vector<GasSolver::NamedField> GasSolver::further_fields() const {
+  std::vector<NamedField> fields;
+  if (state_.density.size() > 0) fields.emplace_back("density", &state_.density);
+  if (!turbulence_) return fields;
+  fields.emplace_back("viscosity", &turbulence_->viscosity());
+  if (const KEpsilon* model = turbulence_->k_epsilon()) {
+    fields.emplace_back("turbulence_k", &model->k());
+    fields.emplace_back("turbulence_epsilon", &model->epsilon());
+  }
+  return fields;
 }
 
 CellVector GasSolver::cell_velocity() const {

@@ -40,6 +40,7 @@ struct GasReport {
   double continuity_residual = 0;  // greatest of a cell, relative to the flow through the grid
   double mass_inflow = 0;          // [kg/s]
   double mass_outflow = 0;         // [kg/s]
+  double mass = 0;                 // of the gas in the grid, at the end [kg]
   // Inflow + sources - outflow - storage of the whole grid, relative; greatest of the steps.
   double mass_imbalance = 0;
   long backflow_faces = 0;            // outlet faces where gas comes in
@@ -87,6 +88,10 @@ class GasSolver {
   [[nodiscard]] Array3<double> void_fraction() const;
   [[nodiscard]] Array3<double> pressure() const;  // with the hydrostatic part [Pa]
   [[nodiscard]] CellVector cell_velocity() const;
+  // Fields of cells that the choices of the run add to these, over Domain::box(): "density",
+  // "turbulence_k", ...
+  using NamedField = std::pair<std::string, const Array3<double>*>;
+  [[nodiscard]] std::vector<NamedField> further_fields() const;
   [[nodiscard]] const GasState& state() const { return state_; }
   GasState& state() { return state_; }
   // Null where [turbulence] names no model.
@@ -107,6 +112,7 @@ class GasSolver {
   [[nodiscard]] double courant_rate() const;
   void fill_velocity_layers();
   void measure(GasReport& report);
+  [[nodiscard]] double gas_mass() const;
   template <class File>
   void exchange_with(File& file);
 

@@ -48,6 +48,9 @@ constexpr Clamp clamps[] = {
     {"beyond_walls", "times a grain's centre was outside of the box: its solids went to the wall"},
     {"momentum_not_converged", "components of the gas's momentum missed the tolerance"},
     {"pressure_not_converged", "steps of the gas missed the tolerance of continuity"},
+    {"outer_not_converged", "steps of the gas used all their outer iterations"},
+    {"turbulence_clamped", "values of k, e or mu_t were cut or raised"},
+    {"turbulence_not_converged", "equations of k or e missed the tolerance"},
     {"backflow_faces", "outlet faces (summed over the lines) let gas in"}};
 
 bool has_files(const fs::path& folder) {

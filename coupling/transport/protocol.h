@@ -42,10 +42,11 @@ struct GasHello {
   std::array<double, 3> grid_hi{};
   std::array<int, 3> cells{};
   std::array<int, 3> periodic{};
-  double density = 0.0;    // [kg/m3]
-  double viscosity = 0.0;  // [Pa s]
+  double density = 0.0;             // [kg/m3]
+  double viscosity = 0.0;           // [Pa s]
   int whole_pressure_gradient = 0;  // model B
-  double time = 0.0;       // of the gas state, 0 or that of a checkpoint [s]
+  int plane_of_spheres = 0;         // along y the grid is a slice, not the DEM box
+  double time = 0.0;                // of the gas state, 0 or that of a checkpoint [s]
   std::array<char, 256> input_file{};
   std::uint32_t lends = 0;
   std::uint32_t takes = 0;
@@ -74,8 +75,13 @@ struct Report {
   double mass_inflow = 0.0;   // [kg/s]
   double mass_outflow = 0.0;  // [kg/s]
   long backflow_faces = 0;
+  int outer_iterations = 0;
+  double mass_imbalance = 0.0;
   long momentum_not_converged = 0;
   long pressure_not_converged = 0;
+  long outer_not_converged = 0;
+  long turbulence_clamped = 0;
+  long turbulence_not_converged = 0;
   long moved_cells = 0;                  // cells whose solids beyond the packing limit were moved
   std::array<double, 3> drag_impulse{};  // lost by the gas in the interval [N s]
   double bubble_diameter = 0.0;          // [m]

@@ -41,9 +41,13 @@ void read_turbulence(InputTable table, GasInput& input) {
   InputTable of_k_epsilon =
       table.when(turbulence.model == TurbulenceModel::k_epsilon, "model = \"k_epsilon\"");
   turbulence.intensity =
-      of_k_epsilon.number("intensity", turbulence.intensity, Range::within(0, 1), "1");
+      of_k_epsilon.number("intensity", turbulence.intensity, Range::positive_up_to(1), "1");
   turbulence.length_scale =
       of_k_epsilon.number("length_scale", turbulence.length_scale, Range::not_negative(), "m");
+  if (turbulence.model == TurbulenceModel::k_epsilon && input.viscosity == 0)
+    table.fault("model",
+                "turbulence.model = \"k_epsilon\" needs a [gas] viscosity above 0: its wall law is "
+                "one of the distance from the wall in viscous lengths.");
 }
 
 }  // namespace gasgrain

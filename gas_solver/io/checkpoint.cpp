@@ -11,7 +11,7 @@
 namespace gasgrain {
 namespace {
 
-constexpr double format_version = 1;
+constexpr double format_version = 2;
 
 std::vector<double> numbers_of(const BoxGrid& grid) {
   std::vector<double> numbers;
@@ -121,6 +121,12 @@ void CheckpointReader::flag(const std::string& name, bool& value) {
 }
 
 void CheckpointReader::field(const std::string& name, int component, Array3<double>& values) {
+  if (!file_->has(name))
+    fail(
+        "{} has no field {}: it was written with other choices of [gas] law, [time] scheme, "
+        "[turbulence] model or [[mass_source]] than this run's. Restart with those it was written "
+        "with.",
+        name_, name);
   std::vector<double> part;
   const IndexBox box = share(component);
   file_->read(name, {whole(component), box, 1}, part);

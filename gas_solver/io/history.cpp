@@ -32,8 +32,10 @@ History::History(const std::string& folder, const GasInput& input, double restar
   // Written beside the old one, which stays when the disk is full.
   const std::string beside = name_ + ".new";
   out_.open(beside);
-  out_ << "time_s,substeps,step_s,courant_max,pressure_iterations,continuity_residual,"
-          "mass_inflow_kg_s,mass_outflow_kg_s,backflow_faces,momentum_not_converged,"
+  out_ << "time_s,substeps,step_s,courant_max,pressure_iterations,outer_iterations,"
+          "continuity_residual,mass_defect,mass_imbalance,mass_inflow_kg_s,mass_outflow_kg_s,"
+          "mass_kg,backflow_faces,momentum_not_converged,pressure_not_converged,"
+          "outer_not_converged,turbulence_clamped,turbulence_not_converged,"
           "drag_impulse_x_Ns,drag_impulse_y_Ns,drag_impulse_z_Ns,bubble_diameter_m,"
           "surface_height_m";
   for (const double z : input.pressure_probes) out_ << fmt::format(",pressure_at_{}_m_Pa", z);
@@ -46,11 +48,13 @@ History::History(const std::string& folder, const GasInput& input, double restar
 
 void History::add(const GasReport& r) {
   out_ << fmt::format(
-      "{:.12g},{},{:.6g},{:.6g},{},{:.3g},{:.9g},{:.9g},{},{},{:.9g},{:.9g},{:.9g},"
-      "{:.6g},{:.6g}",
-      r.time, r.substeps, r.step, r.courant_max, r.pressure_iterations, r.continuity_residual,
-      r.mass_inflow, r.mass_outflow, r.backflow_faces, r.momentum_not_converged, r.drag_impulse[0],
-      r.drag_impulse[1], r.drag_impulse[2], r.bubble_diameter, r.surface_height);
+      "{:.12g},{},{:.6g},{:.6g},{},{},{:.3g},{:.3g},{:.3g},{:.9g},{:.9g},{:.9g},{},{},{},{},{},{},",
+      r.time, r.substeps, r.step, r.courant_max, r.pressure_iterations, r.outer_iterations,
+      r.continuity_residual, r.mass_defect, r.mass_imbalance, r.mass_inflow, r.mass_outflow, r.mass,
+      r.backflow_faces, r.momentum_not_converged, r.pressure_not_converged, r.outer_not_converged,
+      r.turbulence_clamped, r.turbulence_not_converged);
+  out_ << fmt::format("{:.9g},{:.9g},{:.9g},{:.6g},{:.6g}", r.drag_impulse[0], r.drag_impulse[1],
+                      r.drag_impulse[2], r.bubble_diameter, r.surface_height);
   for (const double p : r.probe_pressure) out_ << fmt::format(",{:.9g}", p);
   out_ << '\n';
   flush();

@@ -140,6 +140,10 @@ void ParallelFile::write_numbers(const std::string& object, const std::string& n
                   "cannot write " + name);
 }
 
+bool ParallelFile::has(const std::string& dataset) const {
+  return H5Lexists(file_, dataset.c_str(), H5P_DEFAULT) > 0;
+}
+
 bool ParallelFile::has_numbers(const std::string& object, const std::string& name) const {
   return H5Aexists_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT) > 0;
 }

@@ -42,6 +42,7 @@ class ParallelFile {
   [[nodiscard]] std::vector<double> read_numbers(const std::string& object,
                                                  const std::string& name) const;
   [[nodiscard]] bool has_numbers(const std::string& object, const std::string& name) const;
+  [[nodiscard]] bool has(const std::string& dataset) const;
   [[nodiscard]] std::vector<std::string> groups() const;  // of the file's root, sorted
   void remove(const std::string& group);
   void flush();

@@ -75,6 +75,13 @@ void Snapshots::write(const GasSolver& gas) {
   file_->make_group(group);
   write_scalar("void_fraction", gas.void_fraction());
   write_scalar("pressure", gas.pressure());
+  scalars_ = {"void_fraction", "pressure"};
+  for (const auto& [name, field] : gas.further_fields()) {
+    Array3<double> inside(own);
+    for_each_cell(own, [&, &of = *field](int i, int j, int k) { inside(i, j, k) = of(i, j, k); });
+    write_scalar(name, inside);
+    scalars_.push_back(name);
+  }
   const CellVector velocity = gas.cell_velocity();
   std::vector<double> vectors;
   vectors.reserve(3 * own.size());
@@ -94,12 +101,13 @@ void Snapshots::write_xdmf() const {
     std::ofstream out(name + ".new");
     out << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n  <Domain>\n"
            "    <Grid Name=\"gas\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
-    for (std::size_t n = 0; n < times_.size(); ++n)
+    for (std::size_t n = 0; n < times_.size(); ++n) {
       out << fmt::format("      <Grid Name=\"{}\">\n        <Time Value=\"{:.12g}\"/>\n",
                          group_name(n), times_[n])
-          << geometry(domain_.grid()) << attribute(cells, 1, group_name(n), "void_fraction")
-          << attribute(cells, 1, group_name(n), "pressure")
-          << attribute(cells, 3, group_name(n), "velocity") << "      </Grid>\n";
+          << geometry(domain_.grid());
+      for (const std::string& scalar : scalars_) out << attribute(cells, 1, group_name(n), scalar);
+      out << attribute(cells, 3, group_name(n), "velocity") << "      </Grid>\n";
+    }
     out << "    </Grid>\n  </Domain>\n</Xdmf>\n";
     if (!out.flush()) fail("{}: cannot be written: {}.", name, why_not_written(name));
   }

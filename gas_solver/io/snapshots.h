@@ -29,6 +29,7 @@ class Snapshots {
   std::string folder_;
   const Domain& domain_;
   std::unique_ptr<ParallelFile> file_;
+  std::vector<std::string> scalars_;  // the fields of a snapshot, but the velocity
   std::vector<double> times_;
 };
 

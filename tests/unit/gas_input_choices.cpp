@@ -124,7 +124,7 @@ TEST(gas_input_choices, outer_iterations_go_with_simple_and_simplec) {
   EXPECT_EQ(simple.relax_pressure, 0.3);
   const GasInput simplec = read(right + "[solver]\npressure_velocity = \"simplec\"\n");
   EXPECT_EQ(simplec.pressure_velocity, PressureVelocity::simplec);
-  EXPECT_EQ(simplec.relax_velocity, 0.95);
+  EXPECT_EQ(simplec.relax_velocity, 0.9);
   EXPECT_EQ(simplec.relax_pressure, 1.0);
   EXPECT_EQ(simplec.outer_iterations, 50);
   for (const char* key :
