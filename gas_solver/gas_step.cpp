@@ -34,7 +34,6 @@ GasSolver::GasSolver(const GasInput& input, const Communicator& comm)
       front_view_(domain_, input_.surface_solids, input_.bubble_void_fraction),
       probes_(domain_, input_.pressure_probes),
       means_(domain_, input_),
-      void_fraction_from_(domain_.box(), 1.0),
       void_fraction_to_(domain_.box(), 1.0),
       task_momentum_(costs_.task("momentum")),
       task_pressure_(costs_.task("pressure")),
@@ -61,7 +60,7 @@ void GasSolver::set_void_fraction(const Array3<double>& eps) {
   halo_.exchange({&void_fraction_to_});
   fill_ghost_cells(domain_, void_fraction_to_);
   if (!has_void_fraction_) {
-    void_fraction_from_ = state_.void_fraction = void_fraction_to_;
+    state_.void_fraction = void_fraction_to_;
     projection_.update_fluxes(state_, inflow_.at(time_, state_.density));
   }
   has_void_fraction_ = true;
@@ -107,7 +106,7 @@ GasReport GasSolver::advance(double interval) {
     const double dt = steps <= 1 ? left : left / steps;
     done = steps <= 1 ? interval : done + dt;
     time_ = begin + done;
-    step(dt, done / interval, report);
+    step(dt, steps <= 1 ? 1.0 : dt / left, report);
     const Stopwatch watch(costs_, task_means_);
     // What acted on the grains in the step: Crank-Nicolson's drag is that of both its ends.
     const double weight = dt / interval;
@@ -116,7 +115,6 @@ GasReport GasSolver::advance(double interval) {
     if (at_end < 1) means_.add_velocity(levels_.velocity_before(state_), (1 - at_end) * weight);
     means_.add_pressure(state_, weight);
   }
-  void_fraction_from_ = void_fraction_to_;
   report.time = time_;
   report.drag_impulse = means_.drag_force(state_) * interval;
   measure(report);
@@ -124,7 +122,7 @@ GasReport GasSolver::advance(double interval) {
 }
 
 void GasSolver::step(double dt, double share, GasReport& report) {
-  levels_.begin(state_, dt, void_fraction_from_, void_fraction_to_, share);
+  levels_.begin(state_, dt, void_fraction_to_, share);
   const std::vector<InflowFace>& inflow = inflow_.at(time_, state_.density);
   for (const InflowFace& face : inflow)
     state_.velocity[axis_of(face.side)](face.face[0], face.face[1], face.face[2]) =
@@ -244,7 +242,7 @@ void GasSolver::read_checkpoint(const std::string& file) {
   }
   fill_velocity_layers();
   if (turbulence_) turbulence_->restore(state_);
-  void_fraction_from_ = void_fraction_to_ = state_.void_fraction;
+  void_fraction_to_ = state_.void_fraction;
   for (CellVector* flux : {&state_.mass_flux, &state_.mass_flux_before})
     for (int d = 0; d < 3; ++d) {
       if ((*flux)[d].size() == 0) continue;

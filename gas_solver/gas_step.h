@@ -106,6 +106,7 @@ class GasSolver {
   [[nodiscard]] CostLedger& costs() { return costs_; }
 
  private:
+  // `share`: of what is left of the interval.
   void step(double step, double share, GasReport& report);
   void predict_and_project(double step, const std::vector<InflowFace>& inflow, GasReport& report);
   [[nodiscard]] double next_step(double left);
@@ -132,8 +133,7 @@ class GasSolver {
 
   double time_ = 0;
   bool has_void_fraction_ = false;
-  Array3<double> void_fraction_from_;  // at the interval's beginning and end
-  Array3<double> void_fraction_to_;
+  Array3<double> void_fraction_to_;  // at the interval's end
 
   CostLedger costs_;
   std::size_t task_turbulence_ = 0;

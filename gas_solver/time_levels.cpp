@@ -14,11 +14,10 @@ TimeLevels::TimeLevels(const GasInput& input, const IndexBox& box, GasState& sta
   state.mass_flux_middle = make_vector(box);
 }
 
-void TimeLevels::begin(GasState& state, double step, const Array3<double>& from,
-                       const Array3<double>& to, double share) {
+void TimeLevels::begin(GasState& state, double step, const Array3<double>& to, double share) {
   std::swap(state.void_fraction_before, state.void_fraction);
   for (std::size_t n = 0; n < to.size(); ++n)
-    state.void_fraction[n] = (1 - share) * from[n] + share * to[n];
+    state.void_fraction[n] = (1 - share) * state.void_fraction_before[n] + share * to[n];
   state.density_before = state.density;
   if (keeps_velocity_) velocity_before_ = state.velocity;
   if (middle_) {

@@ -12,11 +12,10 @@ class TimeLevels {
  public:
   TimeLevels(const GasInput& input, const IndexBox& box, GasState& state);
 
-  // A step of length `step` [s] begins; its end has the void fraction (1 - share) from + share to.
+  // A step of length `step` [s] begins, in which eps goes the share `share` of its way to `to`.
   // Crank-Nicolson extrapolates its convecting fluxes from the last step's; the first takes those
   // of its beginning.
-  void begin(GasState& state, double step, const Array3<double>& from, const Array3<double>& to,
-             double share);
+  void begin(GasState& state, double step, const Array3<double>& to, double share);
   // A further outer iteration: the convecting fluxes are the mean of beginning and iterate.
   void iterate(GasState& state) const;
 

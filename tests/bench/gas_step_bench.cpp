@@ -1,10 +1,16 @@
-// A step of the gas alone on the grid of a spouted bed, 36 x 6 x 220 cells, with a bubbly field of
-// void fraction and drag that drifts from step to step, warm. Counters: milliseconds a step by task
-// and iterations of the pressure solver.
+// A step of the gas alone in a spouted bed with a bubbly field of void fraction and drag that
+// drifts from step to step, warm, on grids of 4.8e4, 4.0e5 and 2.0e6 cells; the step shrinks as the
+// cells do, so that the Courant number stays. Counters: milliseconds a step by task, nanoseconds a
+// cell and step, iterations of the pressure solver, memory a cell (resident, of the whole solver,
+// libraries included). Then choices of gas.toml against the default on the smallest grid.
 #include <benchmark/benchmark.h>
+#include <malloc.h>
 #include <mpi.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <fstream>
+#include <functional>
 #include <random>
 
 #include "gas_solver/gas_step.h"
@@ -12,20 +18,26 @@
 namespace gasgrain {
 namespace {
 
-constexpr double step_length = 0.5e-3;
+constexpr double step_on_smallest = 0.5e-3;
 constexpr double bed_height = 0.4;
 constexpr double packed = 0.42;
 constexpr double bed_drag = 4000;  // [kg/(m3 s)] of a packed bed of 2.5 mm grains at a few m/s
 
-GasInput spouted_bed(PressureMethod method) {
+// Of the grid's n-th refinement.
+constexpr Int3 grids[] = {{36, 6, 220}, {73, 12, 447}, {125, 21, 764}};
+
+double step_length(int grid) {
+  return step_on_smallest * grids[0][2] / grids[grid][2];
+}
+
+GasInput spouted_bed(int grid) {
   GasInput input;
   input.grid.lo = Vec3::Zero();
   input.grid.hi = Vec3(0.15, 0.02, 1.0);
-  input.grid.cells = {36, 6, 220};
-  input.step = step_length;
+  input.grid.cells = grids[grid];
+  input.step = step_length(grid);
   input.courant_max = 1000;  // one step an interval, whatever the jet
   input.sides[side_of(2, true)] = &outlet;
-  input.pressure = method;
   InflowPatch jet;
   jet.side = side_of(2, false);
   jet.outline.bounds = {{0.071, 0.006}, {0.079, 0.014}};
@@ -60,50 +72,93 @@ void bubbly(const GasSolver& gas, double time, Array3<double>& eps, Array3<doubl
   });
 }
 
-void gas_step(benchmark::State& bench, PressureMethod method) {
-  GasSolver gas(spouted_bed(method), Communicator(MPI_COMM_SELF));
+// Memory that this process holds [bytes].
+double resident() {
+  malloc_trim(0);
+  std::ifstream file("/proc/self/statm");
+  long total = 0;
+  long pages = 0;
+  file >> total >> pages;
+  return static_cast<double>(pages) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+void gas_step(benchmark::State& bench, int grid, const std::function<void(GasInput&)>& choose) {
+  const double before = resident();
+  GasInput input = spouted_bed(grid);
+  choose(input);
+  GasSolver gas(input, Communicator(MPI_COMM_SELF));
   Array3<double> eps(gas.own());
   Array3<double> drag(gas.own());
-  const CellVector source{Array3<double>(gas.own()), Array3<double>(gas.own()),
-                          Array3<double>(gas.own())};
+  const CellVector source = make_vector(gas.own());
+  const double length = step_length(grid);
   const auto advance = [&] {
     bubbly(gas, gas.time(), eps, drag);
     gas.set_void_fraction(eps);
     gas.set_drag(drag, source);
-    return gas.advance(step_length);
+    return gas.advance(length);
   };
   for (int n = 0; n < 5; ++n) advance();
-  const double momentum = gas.costs().seconds("momentum");
-  const double pressure = gas.costs().seconds("pressure");
-  const double means = gas.costs().seconds("means");
-  const double measures = gas.costs().seconds("measures");
+  const double cells = static_cast<double>(gas.own().size());
+  constexpr double fields_of_the_bench = 5 * sizeof(double);
+  bench.counters["bytes_per_cell"] = (resident() - before) / cells - fields_of_the_bench;
+  const std::array<const char*, 5> tasks{"turbulence", "momentum", "pressure", "means", "measures"};
+  std::array<double, 5> seconds{};
+  for (std::size_t n = 0; n < tasks.size(); ++n) seconds[n] = gas.costs().seconds(tasks[n]);
   double iterations = 0;
   double courant = 0;
+  double wall = 0;
   for (auto _ : bench) {
-    bench.PauseTiming();
     bubbly(gas, gas.time(), eps, drag);
-    bench.ResumeTiming();
+    const double start = MPI_Wtime();
     gas.set_void_fraction(eps);
     gas.set_drag(drag, source);
-    const GasReport report = gas.advance(step_length);
+    const GasReport report = gas.advance(length);
+    wall += MPI_Wtime() - start;
+    bench.SetIterationTime(MPI_Wtime() - start);
     iterations += report.pressure_iterations;
     courant = report.courant_max;
   }
-  const auto per_step = [&](const char* task, double before) {
-    return 1e3 * (gas.costs().seconds(task) - before) / static_cast<double>(bench.iterations());
-  };
-  bench.counters["momentum_ms"] = per_step("momentum", momentum);
-  bench.counters["pressure_ms"] = per_step("pressure", pressure);
-  bench.counters["means_ms"] = per_step("means", means);
-  bench.counters["measures_ms"] = per_step("measures", measures);
-  bench.counters["iterations"] = iterations / static_cast<double>(bench.iterations());
+  const double steps = static_cast<double>(bench.iterations());
+  for (std::size_t n = 0; n < tasks.size(); ++n)
+    bench.counters[std::string(tasks[n]) + "_ms"] =
+        1e3 * (gas.costs().seconds(tasks[n]) - seconds[n]) / steps;
+  bench.counters["ns_per_cell"] = 1e9 * wall / steps / cells;
+  bench.counters["iterations"] = iterations / steps;
   bench.counters["courant"] = courant;
 }
 
-BENCHMARK_CAPTURE(gas_step, hypre, PressureMethod::hypre)
-    ->Unit(benchmark::kMillisecond)
-    ->Iterations(30)
-    ->Repetitions(3);
+void nothing(GasInput&) {}
+
+void add(const char* name, int grid, int steps, const std::function<void(GasInput&)>& choose) {
+  benchmark::RegisterBenchmark(name,
+                               [=](benchmark::State& bench) { gas_step(bench, grid, choose); })
+      ->Unit(benchmark::kMillisecond)
+      ->UseManualTime()
+      ->Iterations(steps);
+}
+
+void add_all() {
+  add("cells/48e3", 0, 60, nothing);
+  add("cells/392e3", 1, 10, nothing);
+  add("cells/2006e3", 2, 4, nothing);
+  add("default", 0, 60, nothing);
+  add("convection=upwind", 0, 60, [](GasInput& g) { g.convection = Convection::upwind; });
+  add("convection=central", 0, 60, [](GasInput& g) { g.convection = Convection::central; });
+  add("convection=quick", 0, 60, [](GasInput& g) { g.convection = Convection::quick; });
+  add("scheme=crank_nicolson", 0, 60, [](GasInput& g) { g.scheme = TimeScheme::crank_nicolson; });
+  add("pressure_velocity=simplec", 0, 20, [](GasInput& g) {
+    g.pressure_velocity = PressureVelocity::simplec;
+    g.relax_velocity = 0.9;
+    g.relax_pressure = 1;
+    g.outer_tolerance = 1e-3;
+  });
+  add("law=ideal_gas", 0, 60, [](GasInput& g) { g.law = GasLaw::ideal_gas; });
+  add("model=B", 0, 60, [](GasInput& g) { g.model = GasModel::b; });
+  add("turbulence=smagorinsky", 0, 60,
+      [](GasInput& g) { g.turbulence.model = TurbulenceModel::smagorinsky; });
+  add("turbulence=k_epsilon", 0, 60,
+      [](GasInput& g) { g.turbulence.model = TurbulenceModel::k_epsilon; });
+}
 
 }  // namespace
 }  // namespace gasgrain
@@ -111,6 +166,7 @@ BENCHMARK_CAPTURE(gas_step, hypre, PressureMethod::hypre)
 int main(int argc, char** argv) {
   MPI_Init(&argc, &argv);
   benchmark::Initialize(&argc, argv);
+  gasgrain::add_all();
   benchmark::RunSpecifiedBenchmarks();
   MPI_Finalize();
 }
