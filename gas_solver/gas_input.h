@@ -1,5 +1,5 @@
 // What a run of the gas solver is told: gas.toml, read and checked, or filled in by a test.
-// docs/gas-solver.md explains every key.
+// docs/gas-input.md explains every key.
 #pragma once
 
 #include <string>
