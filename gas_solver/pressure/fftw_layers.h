@@ -1,26 +1,17 @@
-// Direct solution of the pressure equation where its coefficients change along one axis only:
-// Fourier (periodic axis) or cosine transforms (axis between two sides of given velocity) along the
-// other two turn it into a tridiagonal system along that axis for each pair of wave numbers. With
-// coefficients c of one layer the eigenvalues along a transformed axis of n cells are
-//   c (2 - 2 cos(pi m / n)) cosine, m = 0 .. n-1;   c (2 - 2 cos(2 pi m / n)) Fourier.
-// On one rank.
+// Direct solution of a system of layers, whose coefficients change along one axis only: Fourier
+// (periodic axis) or cosine transforms (axis between two sides of given velocity) along the other
+// two axes turn it into a tridiagonal system along that axis for each pair of wave numbers.
+//
+// On several ranks each transforms whole layers; then FFTW's transpose brings whole lines across
+// the layers to a rank, and back. No rank holds more than its share of the cells.
 #pragma once
 
 #include <fftw3.h>
 
-#include <string>
-#include <vector>
-
-#include "gas_solver/pressure/pressure_system.h"
+#include "gas_solver/pressure/layer_lines.h"
+#include "gas_solver/pressure/slabs.h"
 
 namespace gasgrain {
-
-struct FftwFit {
-  int axis = -1;  // along which coefficients may change; -1: the method does not fit, because of
-  std::string obstacle;
-};
-
-FftwFit fftw_fit(const Domain& domain, const PressureSystem& system);
 
 class FftwLayers {
  public:
@@ -30,23 +21,29 @@ class FftwLayers {
   FftwLayers& operator=(const FftwLayers&) = delete;
 
   [[nodiscard]] int axis() const { return axis_; }
-  void solve(PressureSystem& system);
+  // The system to solve; a singular one is known but for a constant.
+  void set(const Layers& layers, bool singular) { lines_.set(layers, singular); }
+  // Own cells; `solution` may have more around them. Collective.
+  void solve(const Array3<double>& source, Array3<double>& solution);
 
  private:
-  void read_layers(const PressureSystem& system);
-  void solve_line(const PressureSystem& system, int m1, int m2, double* line,
-                  std::ptrdiff_t stride);
+  void plan_layers();
+  void plan_transposes();
 
   const Domain& domain_;
   int axis_;
-  Array3<double> work_;
+  int layer_size_;  // cells
+  LayerLines lines_;
+  Slabs slabs_;
+  double scale_ = 1;  // of a transform and its inverse
   fftw_plan forward_ = nullptr;
   fftw_plan backward_ = nullptr;
-  double scale_ = 1;  // of a transform and its inverse
-  std::array<std::vector<double>, 2> eigenvalue_;
-  std::vector<double> across_;
-  std::array<std::vector<double>, 2> along_;
-  std::vector<double> upper_, rest_, corner_;
+  // Several ranks: layers to lines and back, and the lines of this rank.
+  fftw_plan to_lines_ = nullptr;
+  fftw_plan to_layers_ = nullptr;
+  int first_line_ = 0;
+  int end_line_;
+  std::vector<double> work_;
 };
 
 }  // namespace gasgrain

@@ -1,18 +1,15 @@
 #include "gas_solver/pressure/hypre_pfmg.h"
 
-#include "coupling/base/error.h"
+#include <algorithm>
+#include <cmath>
 
 namespace gasgrain {
 namespace {
 
-constexpr int max_iterations = 200;
 // Iterations more than right after the build that are borne before the multigrid is built anew.
 constexpr int borne_iterations = 1;
-
-HYPRE_Int keep_build(HYPRE_StructSolver, HYPRE_StructMatrix, HYPRE_StructVector,
-                     HYPRE_StructVector) {
-  return 0;
-}
+// Solves in which no build is kept, after one did not serve for a second solve.
+constexpr int solves_of_fast_change = 16;
 
 }  // namespace
 
@@ -44,13 +41,9 @@ HyprePfmg::HyprePfmg(const Domain& domain) : domain_(domain) {
     HYPRE_StructVectorSetConstantValues(*vector, 0.0);
     HYPRE_StructVectorAssemble(*vector);
   }
-  HYPRE_StructPCGCreate(comm, &gradients_);
-  HYPRE_StructPCGSetTwoNorm(gradients_, 1);
-  HYPRE_StructPCGSetTol(gradients_, 0.0);
 }
 
 HyprePfmg::~HyprePfmg() {
-  HYPRE_StructPCGDestroy(gradients_);
   if (multigrid_ != nullptr) HYPRE_StructPFMGDestroy(multigrid_);
   HYPRE_StructVectorDestroy(source_);
   HYPRE_StructVectorDestroy(solution_);
@@ -59,27 +52,32 @@ HyprePfmg::~HyprePfmg() {
   HYPRE_StructGridDestroy(grid_);
 }
 
+// Plane by plane, so that the entries need not be held a second time.
 void HyprePfmg::set_matrix(const PressureSystem& system) {
   const IndexBox own = domain_.own();
-  const Array3<double>& cx = system.face_coefficient[0];
-  values_.resize(4 * own.size());
-  std::size_t n = 0;
-  for_each_cell(own, [&](int i, int j, int k) {
-    const auto o = cx.offset(i, j, k);
-    const Int3 at{i, j, k};
-    values_[n++] = diagonal(system, o);
-    for (int d = 0; d < 3; ++d) {
-      const bool joined = at[d] > 0 || domain_.grid().periodic[d];
-      values_[n++] = joined ? -system.face_coefficient[d][o] : 0.0;
-    }
-  });
-  // Where the solution is known but for a constant, one cell is joined to the value 0. Sources that
-  // sum to 0 then make its value 0, and the solution is one of the system's.
-  if (system.singular && own.contains(0, 0, 0)) values_[0] *= 2.0;
-  Int3 lo = own.lo;
-  Int3 hi{own.hi[0] - 1, own.hi[1] - 1, own.hi[2] - 1};
-  HYPRE_Int entries[4] = {0, 1, 2, 3};
-  HYPRE_StructMatrixSetBoxValues(matrix_, lo.data(), hi.data(), 4, entries, values_.data());
+  constexpr int entries = 4;
+  plane_.resize(entries * own.extent(0) * own.extent(1));
+  for (int k = own.lo[2]; k < own.hi[2]; ++k) {
+    double* entry = plane_.data();
+    IndexBox plane = own;
+    plane.lo[2] = k;
+    plane.hi[2] = k + 1;
+    for_each_cell(plane, [&](int i, int j, int) {
+      const Int3 at{i, j, k};
+      *entry++ = diagonal(system, i, j, k);
+      for (int d = 0; d < 3; ++d) {
+        const bool joined = at[d] > 0 || domain_.grid().periodic[d];
+        *entry++ = joined ? -system.face_coefficient[d](i, j, k) : 0.0;
+      }
+    });
+    // Where the solution is known but for a constant, one cell is joined to the value 0, which
+    // leaves the preconditioner definite.
+    if (system.singular && plane.contains(0, 0, 0)) plane_[0] *= 2.0;
+    Int3 hi{own.hi[0] - 1, own.hi[1] - 1, k};
+    HYPRE_Int which[entries] = {0, 1, 2, 3};
+    HYPRE_StructMatrixSetBoxValues(matrix_, plane.lo.data(), hi.data(), entries, which,
+                                   plane_.data());
+  }
   HYPRE_StructMatrixAssemble(matrix_);
 }
 
@@ -97,41 +95,51 @@ void HyprePfmg::build() {
   constexpr int galerkin_seven_point = 1;
   HYPRE_StructPFMGSetRAPType(multigrid_, galerkin_seven_point);
   HYPRE_StructPFMGSetup(multigrid_, matrix_, source_, solution_);
-  HYPRE_StructPCGSetPrecond(gradients_, HYPRE_StructPFMGSolve, keep_build, multigrid_);
-  HYPRE_StructPCGSetup(gradients_, matrix_, source_, solution_);
-  built_ = true;
+  kept_for_ = 0;
 }
 
-int HyprePfmg::solve(PressureSystem& system, double tolerance) {
-  set_matrix(system);
+void HyprePfmg::precondition(const Array3<double>& residual, Array3<double>& correction) {
   Int3 lo = domain_.own().lo;
   Int3 hi{domain_.own().hi[0] - 1, domain_.own().hi[1] - 1, domain_.own().hi[2] - 1};
-  HYPRE_StructVectorSetBoxValues(source_, lo.data(), hi.data(), system.source.data());
-  HYPRE_StructVectorAssemble(source_);
-  const bool fresh = !built_;
-  if (fresh) build();
-  int used = iterate(system, tolerance, max_iterations);
-  if (fresh) iterations_after_build_ = used;
-  if (used > iterations_after_build_ + borne_iterations) built_ = false;
+  // hypre takes what it reads as not const.
+  HYPRE_StructVectorSetBoxValues(source_, lo.data(), hi.data(),
+                                 const_cast<double*>(residual.data()));
+  HYPRE_StructPFMGSolve(multigrid_, matrix_, source_, solution_);
+  HYPRE_StructVectorGetBoxValues(solution_, lo.data(), hi.data(), correction.data());
+}
+
+int HyprePfmg::solve(PressureSystem& system, ConjugateGradients& gradients, int limit) {
+  if (gradients.converged()) return 0;
+  set_matrix(system);
+  const bool keep = pace_ > 0 && solves_without_keeping_ == 0;
+  if (solves_without_keeping_ > 0) --solves_without_keeping_;
+  int used = 0;
+  if (keep) {
+    ++kept_for_;
+    const double expected = pace_ * gradients.decades() + borne_iterations;
+    used = go_on(system, gradients, std::min(limit, static_cast<int>(std::lround(expected))));
+    if (gradients.converged()) return used;
+    if (kept_for_ == 1) solves_without_keeping_ = solves_of_fast_change;
+  }
+  build();
+  const double decades = gradients.decades();
+  const int after_build = go_on(system, gradients, limit - used);
+  // A pace over less than a decade tells little: the next solve then builds anew.
+  pace_ = decades < 1 ? 0 : after_build / decades;
+  return used + after_build;
+}
+
+int HyprePfmg::go_on(PressureSystem& system, ConjugateGradients& gradients, int limit) {
+  const int used = gradients.iterate(
+      system, limit, [this](const Array3<double>& r, Array3<double>& z) { precondition(r, z); });
+  // Not to converge is no error of hypre's state: the continuity residual tells of it.
+  HYPRE_ClearAllErrors();
   return used;
 }
 
-int HyprePfmg::iterate(PressureSystem& system, double tolerance, int limit) {
-  HYPRE_StructVectorSetConstantValues(solution_, 0.0);
-  HYPRE_StructPCGSetAbsoluteTol(gradients_, tolerance);
-  HYPRE_StructPCGSetMaxIter(gradients_, limit);
-  HYPRE_StructPCGSolve(gradients_, matrix_, source_, solution_);
-  // Not to converge is no error of hypre's state: the continuity residual tells of it.
-  HYPRE_ClearAllErrors();
-  HYPRE_Int iterations = 0;
-  HYPRE_StructPCGGetNumIterations(gradients_, &iterations);
-  Int3 lo = domain_.own().lo;
-  Int3 hi{domain_.own().hi[0] - 1, domain_.own().hi[1] - 1, domain_.own().hi[2] - 1};
-  values_.resize(domain_.own().size());
-  HYPRE_StructVectorGetBoxValues(solution_, lo.data(), hi.data(), values_.data());
-  const double* value = values_.data();
-  for_each_cell(domain_.own(), [&](int i, int j, int k) { system.solution(i, j, k) = *value++; });
-  return iterations;
+void HyprePfmg::forget() {
+  pace_ = 0;
+  solves_without_keeping_ = 0;
 }
 
 }  // namespace gasgrain

@@ -1,17 +1,15 @@
-// Solves the pressure equation by conjugate gradients preconditioned with hypre's PFMG, a
-// semicoarsening multigrid for cell-by-cell varying coefficients. The unknown is a pressure
-// increment, for which 0 is the guess that holds what the last steps found.
+// hypre's PFMG, a semicoarsening multigrid for coefficients that vary cell by cell, as the
+// preconditioner of conjugate gradients.
 //
-// The multigrid is built anew only when its last build serves no more: a build costs about as much
-// as one to two iterations, so that one of an earlier step is kept while the iterations grow by
-// less.
+// A build of the multigrid costs about as much as one to two iterations, so that one of an earlier
+// step is kept while it serves nearly as well as it did at first.
 #pragma once
 
 #include <HYPRE_struct_ls.h>
 
 #include <vector>
 
-#include "gas_solver/pressure/pressure_system.h"
+#include "gas_solver/pressure/conjugate_gradients.h"
 
 namespace gasgrain {
 
@@ -22,15 +20,17 @@ class HyprePfmg {
   HyprePfmg(const HyprePfmg&) = delete;
   HyprePfmg& operator=(const HyprePfmg&) = delete;
 
-  // Until the 2-norm of the residual is below `tolerance`, from 0. Returns the iterations.
-  int solve(PressureSystem& system, double tolerance);
+  // Solves what `gradients` has begun; returns the iterations, at most `limit`. Collective.
+  int solve(PressureSystem& system, ConjugateGradients& gradients, int limit);
+  // The same with the multigrid as the last solve left it, on the same system.
+  int go_on(PressureSystem& system, ConjugateGradients& gradients, int limit);
   // The next solve builds the multigrid anew.
-  void forget() { built_ = false; }
+  void forget();
 
  private:
   void set_matrix(const PressureSystem& system);
   void build();
-  int iterate(PressureSystem& system, double tolerance, int max_iterations);
+  void precondition(const Array3<double>& residual, Array3<double>& correction);
 
   const Domain& domain_;
   HYPRE_StructGrid grid_ = nullptr;
@@ -39,10 +39,11 @@ class HyprePfmg {
   HYPRE_StructVector source_ = nullptr;
   HYPRE_StructVector solution_ = nullptr;
   HYPRE_StructSolver multigrid_ = nullptr;
-  HYPRE_StructSolver gradients_ = nullptr;
-  bool built_ = false;
-  int iterations_after_build_ = 0;
-  std::vector<double> values_;
+  std::vector<double> plane_;  // matrix entries on their way
+
+  double pace_ = 0;   // iterations a decade right after the build; 0: no build to keep
+  int kept_for_ = 0;  // solves
+  int solves_without_keeping_ = 0;  // to come
 };
 
 }  // namespace gasgrain

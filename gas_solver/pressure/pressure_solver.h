@@ -1,14 +1,17 @@
-// Chooses who solves the pressure system: FFTW where its coefficients allow (exact, and fastest),
-// else hypre's multigrid.
+// Solves the pressure system: with FFTW directly where the coefficients change along one axis only,
+// else by conjugate gradients preconditioned with FFTW on the means of the layers or with hypre's
+// multigrid, whichever serves the bed better.
 #pragma once
 
 #include <memory>
 
 #include "gas_solver/gas_input.h"
 #include "gas_solver/pressure/pressure_system.h"
+#include "gas_solver/pressure/solver_choice.h"
 
 namespace gasgrain {
 
+class ConjugateGradients;
 class FftwLayers;
 class HyprePfmg;
 
@@ -18,15 +21,27 @@ class PressureSolver {
   ~PressureSolver();
 
   // Solves until the 2-norm of the residual is below `tolerance` [m3/s], which bounds that of every
-  // cell. Returns the iterations (0: direct). Collective.
+  // cell. Unless the system is singular the residual sums to 0 up to round-off, whatever the
+  // tolerance: what flows in flows out or is stored. Returns the iterations (0: direct).
+  // Collective.
   int solve(PressureSystem& system, double tolerance);
+  // What was learnt in earlier solves.
   void forget();
 
  private:
+  void set_layers(const PressureSystem& system, int axis);
+  int iterate(PressureSystem& system);
+  int with_fftw(PressureSystem& system, int axis, int limit);
+  int with_hypre(PressureSystem& system);
+  int go_on(PressureSystem& system, int limit);
+
   const Domain& domain_;
   PressureMethod method_;
+  SolverChoice choice_;
+  bool ended_with_fftw_ = false;
   std::unique_ptr<FftwLayers> fftw_;
   std::unique_ptr<HyprePfmg> hypre_;
+  std::unique_ptr<ConjugateGradients> gradients_;
 };
 
 }  // namespace gasgrain

@@ -1,0 +1,218 @@
+// The pressure solvers against each other: a Markdown table of iterations, time and memory against
+// contrast (the greatest coefficient by the least) and cells, on the grid of a spouted bed, 6 : 1 :
+// 36, with an outlet at its top. Bubbles rise through a bed whose packing scatters by 10 %; each
+// solve is of the next step, from 0 until the residual is 1e-8 of the source's in the 2-norm.
+//
+//   pressure_bench [--quick] [--cells N]...     on any number of ranks
+//
+// A contrast of 1 is one coefficient everywhere, which FFTW solves directly. Progress goes to
+// stderr.
+#include <fmt/format.h>
+#include <malloc.h>
+#include <mpi.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <random>
+
+#include "gas_solver/pressure/pressure_solver.h"
+
+namespace gasgrain {
+namespace {
+
+constexpr double relative_tolerance = 1e-8;
+constexpr double packed = 0.42;
+constexpr double bed_share = 0.4;  // of the height
+constexpr int bubble_count = 25;
+
+struct Bed {
+  const char* name;
+  double contrast;
+  int bubbles;
+};
+
+struct Method {
+  const char* name;
+  PressureMethod method;
+};
+constexpr std::array<Method, 3> methods{{{"fftw", PressureMethod::fftw},
+                                         {"hypre", PressureMethod::hypre},
+                                         {"auto", PressureMethod::automatic}}};
+
+constexpr std::array<Bed, 6> beds{{{"1", 1, 0},
+                                   {"24, no bubbles", 24, 0},
+                                   {"650, no bubbles", 650, 0},
+                                   {"24", 24, bubble_count},
+                                   {"650", 650, bubble_count},
+                                   {"10000", 10000, bubble_count}}};
+
+using Clock = std::chrono::steady_clock;
+
+BoxGrid spouted_bed(double cells) {
+  const double unit = std::cbrt(cells / (6.0 * 36.0));
+  BoxGrid grid;
+  grid.hi = Vec3(0.15, 0.025, 0.9);
+  grid.cells = {2 * static_cast<int>(std::lround(3 * unit)), static_cast<int>(std::lround(unit)),
+                4 * static_cast<int>(std::lround(9 * unit))};
+  return grid;
+}
+
+// A number in [0, 1) of the cell alone, so that ranks agree on it.
+double scatter(int i, int j, int k) {
+  std::uint64_t h = static_cast<std::uint64_t>(i) * 73856093U ^
+                    static_cast<std::uint64_t>(j) * 19349663U ^
+                    static_cast<std::uint64_t>(k) * 83492791U;
+  h = (h ^ (h >> 15)) * 0x2c1b3c6dU;
+  h = (h ^ (h >> 12)) * 0x297a2d39U;
+  return static_cast<double>((h ^ (h >> 15)) & 0xffffffU) / 0x1000000;
+}
+
+// Coefficients eps w / h2 with w = eps / (eps + K), in units in which rho / dt is 1, at the step's
+// number `step`: bubbles rise by a hundredth of the bed a step.
+void set_bed(const Domain& domain, const Bed& bed, int step, PressureSystem& system) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  const Vec3 h = domain.grid().spacing();
+  const Vec3& size = domain.grid().hi;
+  const double bed_height = bed_share * size[2];
+  std::vector<std::pair<Vec3, double>> bubbles;
+  for (int n = 0; n < bed.bubbles; ++n) {
+    const double x = unit(random);
+    const double z = std::fmod(unit(random) + 0.001 * step, 1.0);
+    bubbles.emplace_back(Vec3(x * size[0], 0.5 * size[1], z * bed_height),
+                         size[0] * (0.05 + 0.13 * unit(random)));
+  }
+  const double bed_drag = bed.contrast == 1 ? 0.0 : packed * packed * bed.contrast - packed;
+  Array3<double> eps(domain.box(), 1.0);
+  Array3<double> drag(domain.box(), 0.0);
+  if (bed.contrast > 1)
+    for_each_cell(domain.box(), [&](int i, int j, int k) {
+      const Vec3 x = h.cwiseProduct(Vec3(i + 0.5, j + 0.5, k + 0.5));
+      if (x[2] > bed_height) return;
+      for (const auto& [centre, radius] : bubbles)
+        if ((x - centre).norm() < radius) return;
+      const double loose = 0.5 + 0.5 * std::sin(2 * M_PI * (scatter(i, j, k) + 0.01 * step));
+      const double solids = (1 - packed) * (1 - 0.1 * loose);
+      eps(i, j, k) = 1 - solids;
+      drag(i, j, k) = bed_drag * std::pow(solids / (1 - packed), 2);
+    });
+  for (int d = 0; d < 3; ++d) {
+    Array3<double>& c = system.face_coefficient[d];
+    const std::ptrdiff_t s = c.stride(d);
+    IndexBox faces = domain.own();
+    ++faces.hi[d];
+    for_each_cell(faces, [&](int i, int j, int k) {
+      const auto o = c.offset(i, j, k);
+      const double e = 0.5 * (eps[o - s] + eps[o]);
+      const double k_f = 0.5 * (drag[o - s] + drag[o]);
+      c[o] = domain.grid().cell_volume() / (h[d] * h[d]) * e * e / (e + k_f);
+    });
+    for (const bool high : {false, true}) {
+      const double open = system.sides[side_of(d, high)]->normal_velocity_given ? 0.0 : 2.0;
+      for_each_cell(domain.side_faces(side_of(d, high)),
+                    [&](int i, int j, int k) { c(i, j, k) *= open; });
+    }
+  }
+  // A jet at the middle of the bottom, and what moving grains displace.
+  for_each_cell(domain.own(), [&](int i, int j, int k) {
+    const Vec3 x = h.cwiseProduct(Vec3(i + 0.5, j + 0.5, k + 0.5));
+    double& source = system.source(i, j, k);
+    source = x[2] < bed_height ? scatter(k + step, i, j) - 0.5 : 0.0;
+    if (k == 0 && std::abs(x[0] - 0.5 * size[0]) < 0.1 * size[0]) source += 10;
+  });
+}
+
+double norm(const Domain& domain, const Array3<double>& cells) {
+  double sum = 0;
+  for (const double value : cells) sum += value * value;
+  return std::sqrt(domain.comm().sum(sum));
+}
+
+double bytes_in_use() {
+  const struct mallinfo2 info = mallinfo2();
+  return static_cast<double>(info.uordblks + info.hblkhd);
+}
+
+// A solver with its own system.
+struct Contender {
+  Contender(const Domain& domain, const Sides& sides, PressureMethod method)
+      : system(domain, sides), solver(domain, method) {}
+  PressureSystem system;
+  PressureSolver solver;
+  std::vector<double> times;
+  double iterations = 0;
+  double bytes = 0;
+  // Solves the step; seconds of it.
+  double solve(const Domain& domain, const Bed& bed, int step) {
+    set_bed(domain, bed, step, system);
+    const double tolerance = relative_tolerance * norm(domain, system.source);
+    const double before = bytes_in_use();
+    MPI_Barrier(domain.comm().handle());
+    const auto start = Clock::now();
+    [[maybe_unused]] const double was = iterations;
+    const clock_t cpu = clock();
+    iterations += solver.solve(system, tolerance);
+    double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    if (getenv("CPU")) seconds = double(clock() - cpu) / CLOCKS_PER_SEC;
+    if (getenv("VERBOSE")) fmt::print(stderr, "{} ", iterations - was);
+    bytes += bytes_in_use() - before;
+    return 1e3 * domain.comm().max(seconds);
+  }
+};
+
+void run(const std::vector<double>& sizes, int solves) {
+  const Communicator comm(MPI_COMM_WORLD);
+  constexpr Sides sides{&wall_no_slip, &wall_no_slip, &wall_no_slip,
+                        &wall_no_slip, &wall_no_slip, &outlet};
+  for (const Bed& bed : beds)
+    for (const double size : sizes) {
+      const Domain domain(spouted_bed(size), comm);
+      const auto cells = static_cast<double>(domain.grid().all().size());
+      std::vector<std::unique_ptr<Contender>> all;
+      for (const Method& method : methods) {
+        if (getenv("ONLY") && std::strcmp(getenv("ONLY"), method.name)) continue;
+        const double before = bytes_in_use();
+        all.push_back(std::make_unique<Contender>(domain, sides, method.method));
+        all.back()->bytes = bytes_in_use() - before;
+      }
+      constexpr int warm_up = 2;
+      for (int n = 0; n < warm_up + solves; ++n)
+        for (auto& one : all) {
+          if (n == warm_up) one->iterations = 0;
+          const double time = one->solve(domain, bed, n);
+          if (n >= warm_up) one->times.push_back(time);
+        }
+      for (std::size_t m = 0; m < all.size(); ++m) {
+        auto& times = all[m]->times;
+        std::sort(times.begin(), times.end());
+        const double ms = getenv("MIN") ? times[0] : times[times.size() / 2];
+        const double its = all[m]->iterations / solves;
+        const double bytes = comm.sum(all[m]->bytes) / cells;
+        if (comm.is_root()) {
+          fmt::print("| {} | {:.0f} | {} | {:.1f} | {:.2f} | {:.0f} | {:.0f} |\n", bed.name, cells,
+                     getenv("ONLY") ? getenv("ONLY") : methods[m].name, its, ms, bytes,
+                     1e6 * ms / cells / std::max(1.0, its));
+          std::fflush(stdout);
+        }
+      }
+    }
+}
+
+}  // namespace
+}  // namespace gasgrain
+
+int main(int argc, char** argv) {
+  MPI_Init(&argc, &argv);
+  std::vector<double> sizes{5e4, 4e5, 2e6};
+  int solves = 9;
+  for (int n = 1; n < argc; ++n) {
+    if (std::strcmp(argv[n], "--quick") == 0) sizes = {5e4};
+    if (std::strcmp(argv[n], "--cells") == 0) sizes = {std::atof(argv[n + 1])};
+    if (std::strcmp(argv[n], "--solves") == 0) solves = std::atoi(argv[n + 1]);
+  }
+  gasgrain::run(sizes, solves);
+  MPI_Finalize();
+  return 0;
+}
