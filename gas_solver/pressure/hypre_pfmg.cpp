@@ -11,6 +11,21 @@ constexpr int borne_iterations = 1;
 // Solves in which no build is kept, after one did not serve for a second solve.
 constexpr int solves_of_fast_change = 16;
 
+// Two cells round a periodic axis are to hypre two cells joined by both of their faces: its
+// multigrid fails with a period of 2.
+bool is_round(const BoxGrid& grid, int axis) {
+  return grid.periodic[axis] && grid.cells[axis] > 2;
+}
+
+// The coefficient between a cell and its low neighbour.
+double joined(const BoxGrid& grid, const PressureSystem& system, int axis, const Int3& at) {
+  const Array3<double>& c = system.face_coefficient[axis];
+  const auto o = c.offset(at[0], at[1], at[2]);
+  if (at[axis] == 0 && !is_round(grid, axis)) return 0.0;
+  const bool twice = grid.periodic[axis] && grid.cells[axis] == 2;
+  return twice ? c[o] + c[o + c.stride(axis)] : c[o];
+}
+
 }  // namespace
 
 HyprePfmg::HyprePfmg(const Domain& domain) : domain_(domain) {
@@ -22,7 +37,7 @@ HyprePfmg::HyprePfmg(const Domain& domain) : domain_(domain) {
   Int3 period{0, 0, 0};
   for (int d = 0; d < 3; ++d) {
     --hi[d];  // hypre's boxes hold their upper end
-    if (domain.grid().periodic[d] && domain.grid().cells[d] > 1) period[d] = domain.grid().cells[d];
+    if (is_round(domain.grid(), d)) period[d] = domain.grid().cells[d];
   }
   HYPRE_StructGridSetExtents(grid_, lo.data(), hi.data());
   HYPRE_StructGridSetPeriodic(grid_, period.data());
@@ -65,10 +80,7 @@ void HyprePfmg::set_matrix(const PressureSystem& system) {
     for_each_cell(plane, [&](int i, int j, int) {
       const Int3 at{i, j, k};
       *entry++ = diagonal(system, i, j, k);
-      for (int d = 0; d < 3; ++d) {
-        const bool joined = at[d] > 0 || domain_.grid().periodic[d];
-        *entry++ = joined ? -system.face_coefficient[d](i, j, k) : 0.0;
-      }
+      for (int d = 0; d < 3; ++d) *entry++ = -joined(domain_.grid(), system, d, at);
     });
     // Where the solution is known but for a constant, one cell is joined to the value 0, which
     // leaves the preconditioner definite.
@@ -104,6 +116,8 @@ void HyprePfmg::precondition(const Array3<double>& residual, Array3<double>& cor
   // hypre takes what it reads as not const.
   HYPRE_StructVectorSetBoxValues(source_, lo.data(), hi.data(),
                                  const_cast<double*>(residual.data()));
+  // Round a periodic axis of odd length a relaxation from 0 reads values before it has set them.
+  HYPRE_StructVectorSetConstantValues(solution_, 0.0);
   HYPRE_StructPFMGSolve(multigrid_, matrix_, source_, solution_);
   HYPRE_StructVectorGetBoxValues(solution_, lo.data(), hi.data(), correction.data());
 }

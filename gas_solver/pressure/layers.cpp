@@ -93,22 +93,28 @@ int layered_axis(const Domain& domain, const PressureSystem& system) {
   return -1;
 }
 
+// Sums of 1 / c for the coefficients of faces, and of storage as it is.
 Layers layer_means(const Domain& domain, const PressureSystem& system, int axis) {
   const int cells = domain.grid().cells[axis];
   const int count = value_count(domain, axis);
-  std::vector<double> sums(2 * count, 0.0);  // of the values, of their number
+  const int first_of_storage = 3 * cells + 1;
+  std::vector<double> sums(2 * count, 0.0);  // and the number of summands
   for_each_field(domain, system, axis,
                  [&](const Array3<double>& c, const IndexBox& box, int first) {
+                   const bool harmonic = first != first_of_storage;
                    for_each_cell(box, [&](int i, int j, int k) {
                      const int n = first + Int3{i, j, k}[axis];
-                     sums[n] += c(i, j, k);
+                     sums[n] += harmonic ? 1 / c(i, j, k) : c(i, j, k);
                      sums[count + n] += 1;
                    });
                  });
   domain.comm().sum_in_place(sums);
   std::vector<double> mean(count, 0.0);
-  for (int n = 0; n < count; ++n)
-    if (sums[count + n] > 0) mean[n] = sums[n] / sums[count + n];
+  for (int n = 0; n < count; ++n) {
+    if (sums[count + n] == 0) continue;
+    mean[n] = sums[n] / sums[count + n];
+    if (n < first_of_storage) mean[n] = 1 / mean[n];  // 0 of faces that are closed
+  }
   if (domain.grid().periodic[axis]) mean[cells] = mean[0];
 
   Layers layers;
@@ -118,7 +124,7 @@ Layers layer_means(const Domain& domain, const PressureSystem& system, int axis)
   };
   layers.across = part(0, cells + 1);
   layers.along = {part(cells + 1, cells), part(2 * cells + 1, cells)};
-  layers.storage = part(3 * cells + 1, cells);
+  layers.storage = part(first_of_storage, cells);
   return layers;
 }
 

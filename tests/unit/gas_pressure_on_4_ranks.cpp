@@ -1,0 +1,2 @@
+// The pressure systems of gas_pressure_cases.h on 4 ranks.
+#include "tests/unit/gas_pressure_cases.h"
