@@ -8,22 +8,32 @@ namespace {
 
 // Iterations more than right after the build that are borne before the multigrid is built anew.
 constexpr int borne_iterations = 1;
-// Solves in which no build is kept, after one did not serve for a second solve.
-constexpr int solves_of_fast_change = 16;
+// A build that serves fewer solves than this was not worth keeping: what the last of them lost is
+// more than what was saved. For the solves that follow none is kept.
+constexpr int solves_worth_keeping = 8;
+constexpr int solves_of_fast_change = 32;
 
-// Two cells round a periodic axis are to hypre two cells joined by both of their faces: its
-// multigrid fails with a period of 2.
-bool is_round(const BoxGrid& grid, int axis) {
-  return grid.periodic[axis] && grid.cells[axis] > 2;
-}
+// Two cells round an axis are joined by both of their faces, and need no cut.
+struct Links {
+  double low = 0;    // coefficient between the cell and its low neighbour
+  double round = 0;  // and a neighbour across the cut of a periodic axis
+};
 
-// The coefficient between a cell and its low neighbour.
-double joined(const BoxGrid& grid, const PressureSystem& system, int axis, const Int3& at) {
+Links links(const BoxGrid& grid, const PressureSystem& system, int axis, const Int3& at) {
   const Array3<double>& c = system.face_coefficient[axis];
   const auto o = c.offset(at[0], at[1], at[2]);
-  if (at[axis] == 0 && !is_round(grid, axis)) return 0.0;
-  const bool twice = grid.periodic[axis] && grid.cells[axis] == 2;
-  return twice ? c[o] + c[o + c.stride(axis)] : c[o];
+  const bool first = at[axis] == 0;
+  const bool last = at[axis] == grid.cells[axis] - 1;
+  Links found;
+  if (!first) found.low = c[o];
+  if (!grid.periodic[axis]) return found;
+  if (grid.cells[axis] == 2) {
+    if (last) found.low += c[o + c.stride(axis)];
+  } else if (grid.cells[axis] > 2) {
+    if (first) found.round = c[o];
+    if (last) found.round = c[o + c.stride(axis)];
+  }
+  return found;
 }
 
 }  // namespace
@@ -34,13 +44,8 @@ HyprePfmg::HyprePfmg(const Domain& domain) : domain_(domain) {
   HYPRE_StructGridCreate(comm, 3, &grid_);
   Int3 lo = domain.own().lo;
   Int3 hi = domain.own().hi;
-  Int3 period{0, 0, 0};
-  for (int d = 0; d < 3; ++d) {
-    --hi[d];  // hypre's boxes hold their upper end
-    if (is_round(domain.grid(), d)) period[d] = domain.grid().cells[d];
-  }
+  for (int d = 0; d < 3; ++d) --hi[d];  // hypre's boxes hold their upper end
   HYPRE_StructGridSetExtents(grid_, lo.data(), hi.data());
-  HYPRE_StructGridSetPeriodic(grid_, period.data());
   HYPRE_StructGridAssemble(grid_);
 
   // A symmetric matrix: the cell and its low neighbours.
@@ -79,8 +84,13 @@ void HyprePfmg::set_matrix(const PressureSystem& system) {
     plane.hi[2] = k + 1;
     for_each_cell(plane, [&](int i, int j, int) {
       const Int3 at{i, j, k};
-      *entry++ = diagonal(system, i, j, k);
-      for (int d = 0; d < 3; ++d) *entry++ = -joined(domain_.grid(), system, d, at);
+      double& own_value = *entry++;
+      own_value = diagonal(system, i, j, k);
+      for (int d = 0; d < 3; ++d) {
+        const Links to = links(domain_.grid(), system, d, at);
+        own_value -= to.round;
+        *entry++ = -to.low;
+      }
     });
     // Where the solution is known but for a constant, one cell is joined to the value 0, which
     // leaves the preconditioner definite.
@@ -104,8 +114,8 @@ void HyprePfmg::build() {
   HYPRE_StructPFMGSetNumPreRelax(multigrid_, 1);
   HYPRE_StructPFMGSetNumPostRelax(multigrid_, 1);
   HYPRE_StructPFMGSetSkipRelax(multigrid_, 1);
-  constexpr int galerkin_seven_point = 1;
-  HYPRE_StructPFMGSetRAPType(multigrid_, galerkin_seven_point);
+  constexpr int averaged_seven_point = 1;
+  HYPRE_StructPFMGSetRAPType(multigrid_, averaged_seven_point);
   HYPRE_StructPFMGSetup(multigrid_, matrix_, source_, solution_);
   kept_for_ = 0;
 }
@@ -116,7 +126,6 @@ void HyprePfmg::precondition(const Array3<double>& residual, Array3<double>& cor
   // hypre takes what it reads as not const.
   HYPRE_StructVectorSetBoxValues(source_, lo.data(), hi.data(),
                                  const_cast<double*>(residual.data()));
-  // Round a periodic axis of odd length a relaxation from 0 reads values before it has set them.
   HYPRE_StructVectorSetConstantValues(solution_, 0.0);
   HYPRE_StructPFMGSolve(multigrid_, matrix_, source_, solution_);
   HYPRE_StructVectorGetBoxValues(solution_, lo.data(), hi.data(), correction.data());
@@ -133,7 +142,7 @@ int HyprePfmg::solve(PressureSystem& system, ConjugateGradients& gradients, int 
     const double expected = pace_ * gradients.decades() + borne_iterations;
     used = go_on(system, gradients, std::min(limit, static_cast<int>(std::lround(expected))));
     if (gradients.converged()) return used;
-    if (kept_for_ == 1) solves_without_keeping_ = solves_of_fast_change;
+    if (kept_for_ < solves_worth_keeping) solves_without_keeping_ = solves_of_fast_change;
   }
   build();
   const double decades = gradients.decades();

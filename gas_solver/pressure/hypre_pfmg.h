@@ -1,8 +1,17 @@
 // hypre's PFMG, a semicoarsening multigrid for coefficients that vary cell by cell, as the
 // preconditioner of conjugate gradients.
 //
-// A build of the multigrid costs about as much as one to two iterations, so that one of an earlier
-// step is kept while it serves nearly as well as it did at first.
+// A build of the multigrid costs about as much as 1.6 iterations, so that one of an earlier step is
+// kept while it serves nearly as well as it did at first.
+//
+// Round a periodic axis the multigrid sees the grid cut open: conjugate gradients mend the cut in
+// some tens of iterations, while PFMG's own periodic axes do not converge on most lengths
+// (hypre 2.26).
+//
+// Of hypre's options, measured at contrasts 24 to 10000: two relaxations need 0.65 of the
+// iterations and the same time. Galerkin coarse grids with Jacobi relaxation need 0.55 of the
+// iterations at a contrast of 10000 and 1.0 at 24, and the same time or more, with 110 to 160 bytes
+// a cell more.
 #pragma once
 
 #include <HYPRE_struct_ls.h>

@@ -52,7 +52,8 @@ int PressureSolver::iterate(PressureSystem& system) {
   const int fftw_first = choice_.fftw_iterations(decades);
   int iterations = 0;
   if (fftw_first > 0) {
-    iterations = with_fftw(system, axes.front(), fftw_first);
+    iterations = choice_.is_trial() ? try_fftw(system, axes.front(), fftw_first)
+                                    : with_fftw(system, axes.front(), fftw_first);
     choice_.fftw_served(gradients_->converged());
     if (gradients_->converged()) return iterations;
   }
@@ -65,6 +66,15 @@ int PressureSolver::with_fftw(PressureSystem& system, int axis, int limit) {
   set_layers(system, axis);
   ended_with_fftw_ = true;
   return go_on(system, limit);
+}
+
+// Gives up half way when most of the way is still to go.
+int PressureSolver::try_fftw(PressureSystem& system, int axis, int limit) {
+  constexpr double most = 2.0 / 3.0;
+  const double to_go = most * gradients_->decades();
+  const int iterations = with_fftw(system, axis, (limit + 1) / 2);
+  if (gradients_->decades() > to_go) return iterations;
+  return iterations + go_on(system, limit - iterations);
 }
 
 int PressureSolver::with_hypre(PressureSystem& system) {

@@ -32,6 +32,7 @@ class PressureSolver {
   void set_layers(const PressureSystem& system, int axis);
   int iterate(PressureSystem& system);
   int with_fftw(PressureSystem& system, int axis, int limit);
+  int try_fftw(PressureSystem& system, int axis, int limit);
   int with_hypre(PressureSystem& system);
   int go_on(PressureSystem& system, int limit);
 

@@ -7,7 +7,8 @@ namespace gasgrain {
 namespace {
 
 // Cost of an iteration with FFTW in iterations with hypre.
-// build/bench/pressure_bench, columns "time an iteration": 0.7 to 0.9 for 5e4 to 2e6 cells.
+// build/bench/pressure_bench, "ns an iteration and cell" of the beds without bubbles: 0.75 to 0.9
+// for 5e4 to 4e5 cells on one rank.
 constexpr double cost_fftw = 0.8;
 
 constexpr int shortest_wait = 8;

@@ -14,6 +14,8 @@ class SolverChoice {
  public:
   // Iterations that FFTW is to try first in a solve of so many decades; 0: hypre alone.
   int fftw_iterations(double decades);
+  // It does so for the first time in a while: most often in vain, and to be given up early.
+  [[nodiscard]] bool is_trial() const { return !fftw_serves_; }
   // What came of it.
   void fftw_served(bool converged);
   void hypre_solved(double decades, int iterations);

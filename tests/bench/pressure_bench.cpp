@@ -3,10 +3,11 @@
 // 36, with an outlet at its top. Bubbles rise through a bed whose packing scatters by 10 %; each
 // solve is of the next step, from 0 until the residual is 1e-8 of the source's in the 2-norm.
 //
-//   pressure_bench [--quick] [--cells N]...     on any number of ranks
+//   pressure_bench [--quick] [--solves N]     on any number of ranks
 //
-// A contrast of 1 is one coefficient everywhere, which FFTW solves directly. Progress goes to
-// stderr.
+// A contrast of 1 is one coefficient everywhere, which FFTW solves directly. The methods take turns
+// step by step, so that what else the machine does falls on all of them alike. A method that needs
+// too many iterations is left out on the larger grids. Progress goes to stderr.
 #include <fmt/format.h>
 #include <malloc.h>
 #include <mpi.h>
@@ -14,7 +15,9 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
-#include <functional>
+#include <limits>
+#include <memory>
+#include <numeric>
 #include <random>
 
 #include "gas_solver/pressure/pressure_solver.h"
@@ -26,6 +29,10 @@ constexpr double relative_tolerance = 1e-8;
 constexpr double packed = 0.42;
 constexpr double bed_share = 0.4;  // of the height
 constexpr int bubble_count = 25;
+constexpr int warm_up = 2;  // steps
+constexpr int too_many_iterations = 150;
+constexpr Sides sides{&wall_no_slip, &wall_no_slip, &wall_no_slip,
+                      &wall_no_slip, &wall_no_slip, &outlet};
 
 struct Bed {
   const char* name;
@@ -70,7 +77,8 @@ double scatter(int i, int j, int k) {
 }
 
 // Coefficients eps w / h2 with w = eps / (eps + K), in units in which rho / dt is 1, at the step's
-// number `step`: bubbles rise by a hundredth of the bed a step.
+// number `step`: bubbles rise by a thousandth of the bed a step, and its packing changes
+// slowly.
 void set_bed(const Domain& domain, const Bed& bed, int step, PressureSystem& system) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -136,68 +144,113 @@ double bytes_in_use() {
 }
 
 // A solver with its own system.
-struct Contender {
-  Contender(const Domain& domain, const Sides& sides, PressureMethod method)
-      : system(domain, sides), solver(domain, method) {}
-  PressureSystem system;
-  PressureSolver solver;
-  std::vector<double> times;
-  double iterations = 0;
-  double bytes = 0;
-  // Solves the step; seconds of it.
-  double solve(const Domain& domain, const Bed& bed, int step) {
-    set_bed(domain, bed, step, system);
-    const double tolerance = relative_tolerance * norm(domain, system.source);
-    const double before = bytes_in_use();
-    MPI_Barrier(domain.comm().handle());
+class Contender {
+ public:
+  Contender(const Domain& domain, PressureMethod method)
+      : domain_(domain), system_(domain, sides), solver_(domain, method) {}
+
+  void solve(const Bed& bed, int step) {
+    set_bed(domain_, bed, step, system_);
+    const double tolerance = relative_tolerance * norm(domain_, system_.source);
+    MPI_Barrier(domain_.comm().handle());
     const auto start = Clock::now();
-    [[maybe_unused]] const double was = iterations;
-    const clock_t cpu = clock();
-    iterations += solver.solve(system, tolerance);
-    double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    if (getenv("CPU")) seconds = double(clock() - cpu) / CLOCKS_PER_SEC;
-    if (getenv("VERBOSE")) fmt::print(stderr, "{} ", iterations - was);
-    bytes += bytes_in_use() - before;
-    return 1e3 * domain.comm().max(seconds);
+    const int iterations = solver_.solve(system_, tolerance);
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    if (step < warm_up) return;
+    times_.push_back(1e3 * domain_.comm().max(seconds));
+    iterations_ += iterations;
   }
+  [[nodiscard]] double iterations() const {
+    return iterations_ / static_cast<double>(times_.size());
+  }
+  // [ms]
+  [[nodiscard]] double median() {
+    std::sort(times_.begin(), times_.end());
+    return times_[times_.size() / 2];
+  }
+  [[nodiscard]] double sum() const { return std::accumulate(times_.begin(), times_.end(), 0.0); }
+
+ private:
+  const Domain& domain_;
+  PressureSystem system_;
+  PressureSolver solver_;
+  std::vector<double> times_;
+  double iterations_ = 0;
+};
+
+// Bytes a cell of a system and its solver after two solves, alone in memory.
+double memory(const Domain& domain, const Bed& bed, PressureMethod method) {
+  const double before = bytes_in_use();
+  Contender alone(domain, method);
+  alone.solve(bed, 0);
+  alone.solve(bed, 1);
+  return domain.comm().sum(bytes_in_use() - before) /
+         static_cast<double>(domain.grid().all().size());
+}
+
+struct Point {
+  double cells;
+  double time;
 };
 
 void run(const std::vector<double>& sizes, int solves) {
   const Communicator comm(MPI_COMM_WORLD);
-  constexpr Sides sides{&wall_no_slip, &wall_no_slip, &wall_no_slip,
-                        &wall_no_slip, &wall_no_slip, &outlet};
-  for (const Bed& bed : beds)
+  const auto say = [&](std::FILE* where, const std::string& text) {
+    if (!comm.is_root()) return;
+    fmt::print(where, "{}", text);
+    std::fflush(where);
+  };
+  say(stdout, fmt::format("{} solves each on {} rank(s), to {} of the source\n\n", solves,
+                          comm.size(), relative_tolerance));
+  say(stdout,
+      "| contrast | cells | method | iterations | ms a solve | ns an iteration and cell | bytes a "
+      "cell | sum of times by the best's | time ~ N^ |\n|---|---|---|---|---|---|---|---|---|\n");
+  for (const Bed& bed : beds) {
+    std::array<std::vector<Point>, methods.size()> points;
+    std::array<bool, methods.size()> hopeless{};
     for (const double size : sizes) {
       const Domain domain(spouted_bed(size), comm);
       const auto cells = static_cast<double>(domain.grid().all().size());
-      std::vector<std::unique_ptr<Contender>> all;
-      for (const Method& method : methods) {
-        if (getenv("ONLY") && std::strcmp(getenv("ONLY"), method.name)) continue;
-        const double before = bytes_in_use();
-        all.push_back(std::make_unique<Contender>(domain, sides, method.method));
-        all.back()->bytes = bytes_in_use() - before;
+      std::array<double, methods.size()> bytes{};
+      for (std::size_t m = 0; m < methods.size(); ++m)
+        if (!hopeless[m]) bytes[m] = memory(domain, bed, methods[m].method);
+      std::array<std::unique_ptr<Contender>, methods.size()> all;
+      for (std::size_t m = 0; m < methods.size(); ++m)
+        if (!hopeless[m]) all[m] = std::make_unique<Contender>(domain, methods[m].method);
+      for (int step = 0; step < warm_up + solves; ++step) {
+        say(stderr, fmt::format("\rcontrast {}, {:.0f} cells, step {} of {} ", bed.name, cells,
+                                step + 1, warm_up + solves));
+        for (auto& one : all)
+          if (one) one->solve(bed, step);
       }
-      constexpr int warm_up = 2;
-      for (int n = 0; n < warm_up + solves; ++n)
-        for (auto& one : all) {
-          if (n == warm_up) one->iterations = 0;
-          const double time = one->solve(domain, bed, n);
-          if (n >= warm_up) one->times.push_back(time);
+      say(stderr, "\r\033[K");
+      double best = std::numeric_limits<double>::infinity();
+      for (std::size_t m = 0; m < methods.size(); ++m)
+        if (all[m] && methods[m].method != PressureMethod::automatic)
+          best = std::min(best, all[m]->sum());
+      for (std::size_t m = 0; m < methods.size(); ++m) {
+        if (!all[m]) {
+          say(stdout, fmt::format("| {} | {:.0f} | {} | over {} | | | | | |\n", bed.name, cells,
+                                  methods[m].name, too_many_iterations));
+          continue;
         }
-      for (std::size_t m = 0; m < all.size(); ++m) {
-        auto& times = all[m]->times;
-        std::sort(times.begin(), times.end());
-        const double ms = getenv("MIN") ? times[0] : times[times.size() / 2];
-        const double its = all[m]->iterations / solves;
-        const double bytes = comm.sum(all[m]->bytes) / cells;
-        if (comm.is_root()) {
-          fmt::print("| {} | {:.0f} | {} | {:.1f} | {:.2f} | {:.0f} | {:.0f} |\n", bed.name, cells,
-                     getenv("ONLY") ? getenv("ONLY") : methods[m].name, its, ms, bytes,
-                     1e6 * ms / cells / std::max(1.0, its));
-          std::fflush(stdout);
-        }
+        const double ms = all[m]->median();
+        const double iterations = all[m]->iterations();
+        points[m].push_back({cells, ms});
+        const Point& first = points[m].front();
+        const std::string exponent =
+            points[m].size() == 1
+                ? ""
+                : fmt::format("{:.2f}", std::log(ms / first.time) / std::log(cells / first.cells));
+        say(stdout, fmt::format("| {} | {:.0f} | {} | {:.1f} | {:.1f} | {:.1f} | {:.0f} | {:.2f} | "
+                                "{} |\n",
+                                bed.name, cells, methods[m].name, iterations, ms,
+                                1e6 * ms / cells / std::max(1.0, iterations), bytes[m],
+                                all[m]->sum() / best, exponent));
+        hopeless[m] = iterations > too_many_iterations;
       }
     }
+  }
 }
 
 }  // namespace
@@ -209,8 +262,7 @@ int main(int argc, char** argv) {
   int solves = 9;
   for (int n = 1; n < argc; ++n) {
     if (std::strcmp(argv[n], "--quick") == 0) sizes = {5e4};
-    if (std::strcmp(argv[n], "--cells") == 0) sizes = {std::atof(argv[n + 1])};
-    if (std::strcmp(argv[n], "--solves") == 0) solves = std::atoi(argv[n + 1]);
+    if (std::strcmp(argv[n], "--solves") == 0 && n + 1 < argc) solves = std::atoi(argv[n + 1]);
   }
   gasgrain::run(sizes, solves);
   MPI_Finalize();
