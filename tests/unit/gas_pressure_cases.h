@@ -214,13 +214,13 @@ TEST_P(gas_pressure_ranks, the_whole_balances_at_a_coarse_tolerance) {
 TEST_P(gas_pressure_ranks, a_solver_that_forgot_is_a_new_one_bit_for_bit) {
   const Domain domain(grid_of(GetParam()), Communicator(MPI_COMM_WORLD));
   PressureSolver old(domain, PressureMethod::automatic);
-  for (int step = 0; step < 12; ++step) {
+  for (int step = 0; step < 4; ++step) {
     PressureSystem system = posed(GetParam(), domain, step);
     old.solve(system, 1e-8 * norm(domain, system.source));
   }
   old.forget();
   PressureSolver fresh(domain, PressureMethod::automatic);
-  for (int step = 12; step < 24; ++step) {
+  for (int step = 4; step < 8; ++step) {
     PressureSystem of_old = posed(GetParam(), domain, step);
     PressureSystem of_fresh = posed(GetParam(), domain, step);
     const double tolerance = 1e-8 * norm(domain, of_old.source);
