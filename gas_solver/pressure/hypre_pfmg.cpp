@@ -75,7 +75,7 @@ HyprePfmg::~HyprePfmg() {
 // Plane by plane, so that the entries need not be held a second time.
 void HyprePfmg::set_matrix(const PressureSystem& system) {
   const IndexBox own = domain_.own();
-  constexpr int entries = 4;
+  constexpr std::size_t entries = 4;
   plane_.resize(entries * own.extent(0) * own.extent(1));
   for (int k = own.lo[2]; k < own.hi[2]; ++k) {
     double* entry = plane_.data();
@@ -97,7 +97,7 @@ void HyprePfmg::set_matrix(const PressureSystem& system) {
     if (system.singular && plane.contains(0, 0, 0)) plane_[0] *= 2.0;
     Int3 hi{own.hi[0] - 1, own.hi[1] - 1, k};
     HYPRE_Int which[entries] = {0, 1, 2, 3};
-    HYPRE_StructMatrixSetBoxValues(matrix_, plane.lo.data(), hi.data(), entries, which,
+    HYPRE_StructMatrixSetBoxValues(matrix_, plane.lo.data(), hi.data(), HYPRE_Int{entries}, which,
                                    plane_.data());
   }
   HYPRE_StructMatrixAssemble(matrix_);

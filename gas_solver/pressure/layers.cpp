@@ -54,7 +54,7 @@ bool layered_on_this_rank(const Domain& domain, const PressureSystem& system, in
 // Given that each rank's are layers: the ranks' layers are the same.
 bool layers_agree(const Domain& domain, const PressureSystem& system, int axis) {
   const int count = value_count(domain, axis);
-  std::vector<double> greatest(2 * count, -std::numeric_limits<double>::infinity());
+  std::vector<double> greatest(std::size_t{2} * count, -std::numeric_limits<double>::infinity());
   for_each_field(domain, system, axis,
                  [&](const Array3<double>& c, const IndexBox& box, int first) {
                    if (box.empty()) return;
@@ -98,7 +98,7 @@ Layers layer_means(const Domain& domain, const PressureSystem& system, int axis)
   const int cells = domain.grid().cells[axis];
   const int count = value_count(domain, axis);
   const int first_of_storage = 3 * cells + 1;
-  std::vector<double> sums(2 * count, 0.0);  // and the number of summands
+  std::vector<double> sums(std::size_t{2} * count, 0.0);  // and the number of summands
   for_each_field(domain, system, axis,
                  [&](const Array3<double>& c, const IndexBox& box, int first) {
                    const bool harmonic = first != first_of_storage;
