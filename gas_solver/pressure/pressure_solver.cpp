@@ -13,7 +13,7 @@ constexpr int max_iterations = 1000;
 }  // namespace
 
 PressureSolver::PressureSolver(const Domain& domain, PressureMethod method)
-    : domain_(domain), method_(method) {}
+    : domain_(domain), method_(method), choice_(domain.comm().size()) {}
 
 PressureSolver::~PressureSolver() = default;
 
@@ -97,7 +97,7 @@ void PressureSolver::set_layers(const PressureSystem& system, int axis) {
 }
 
 void PressureSolver::forget() {
-  choice_ = SolverChoice();
+  choice_ = SolverChoice(domain_.comm().size());
   if (hypre_) hypre_->forget();
 }
 

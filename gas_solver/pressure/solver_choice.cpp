@@ -6,22 +6,26 @@
 namespace gasgrain {
 namespace {
 
-// Cost of an iteration with FFTW in iterations with hypre.
-// build/bench/pressure_bench, "ns an iteration and cell" of the beds without bubbles: 0.75 to 0.9
-// for 5e4 to 4e5 cells on one rank.
-constexpr double cost_fftw = 0.8;
+// Cost of an iteration with FFTW in iterations with hypre, by build/bench/pressure_bench, column
+// "ns an iteration and cell": 0.7 to 1.0 on one rank for 5e4 to 2e6 cells; 1.0 to 1.3 on two, where
+// FFTW sends the grid round four times.
+constexpr double cost_on_one_rank = 0.8;
+constexpr double cost_on_several_ranks = 1.1;
 
 constexpr int shortest_wait = 8;
 constexpr int longest_wait = 64;
 
 }  // namespace
 
+SolverChoice::SolverChoice(int ranks)
+    : cost_fftw_(ranks == 1 ? cost_on_one_rank : cost_on_several_ranks) {}
+
 int SolverChoice::fftw_iterations(double decades) {
   if (hypre_pace_ == 0) return 0;
   const bool trial = until_trial_ == 0;
   if (!trial) --until_trial_;
   if (fftw_serves_ == trial) return 0;
-  return static_cast<int>(std::ceil(hypre_pace_ * decades / cost_fftw));
+  return static_cast<int>(std::ceil(hypre_pace_ * decades / cost_fftw_));
 }
 
 void SolverChoice::fftw_served(bool converged) {

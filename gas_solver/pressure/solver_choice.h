@@ -12,6 +12,8 @@ namespace gasgrain {
 
 class SolverChoice {
  public:
+  explicit SolverChoice(int ranks = 1);
+
   // Iterations that FFTW is to try first in a solve of so many decades; 0: hypre alone.
   int fftw_iterations(double decades);
   // It does so for the first time in a while: most often in vain, and to be given up early.
@@ -21,6 +23,7 @@ class SolverChoice {
   void hypre_solved(double decades, int iterations);
 
  private:
+  double cost_fftw_;       // of an iteration with FFTW in iterations with hypre
   double hypre_pace_ = 0;  // iterations a decade; 0: not known
   bool fftw_serves_ = false;
   int wait_ = 0;         // solves from one trial to the next
