@@ -12,32 +12,63 @@ double random_void_fraction(int i, int j, int k) {
   return 0.35 + 0.65 * scatter(i, j, k);
 }
 
+void expect_rest(GasInput input) {
+  input.gravity = Vec3(1.0, -2.0, -9.81);
+  GasSolver gas(input, self());
+  const double per_share = input.model == GasModel::a ? 1.0 : 0.5;  // any drag will do
+  set_bed(
+      gas, random_void_fraction,
+      [=](int i, int j, int k) { return 1e4 * per_share * scatter(k, i, j); }, constant_zero);
+  for (int n = 0; n < 100; ++n) gas.advance(1e-3);
+  // The hydrostatic pressure is kept apart, so that nothing is left to round off.
+  EXPECT_LT(greatest_speed(gas), 1e-10);
+  // Weight of the gas, that of an ideal one within its growth over the box.
+  EXPECT_NEAR(gas.mean_pressure_gradient()[2](3, 2, 5), -9.81 * input.density,
+              input.law == GasLaw::ideal_gas ? 1e-3 : 1e-10);
+}
+
 TEST(gas_balance, gas_at_rest_under_gravity_stays_at_rest_in_any_void_fraction) {
   for (const int outlet_side : {5, 0, -1}) {
     Sides sides = walls;
     if (outlet_side >= 0) sides[outlet_side] = &outlet;
     GasInput input = box({6, 5, 12}, Vec3(0.06, 0.05, 0.12), sides);
-    input.gravity = Vec3(1.0, -2.0, -9.81);
-    GasSolver gas(input, self());
-    set_bed(
-        gas, random_void_fraction, [](int i, int j, int k) { return 1e4 * scatter(k, i, j); },
-        constant_zero);
-    for (int n = 0; n < 10; ++n) gas.advance(1e-3);
-    // The hydrostatic pressure is kept apart, so that nothing is left to round off.
-    EXPECT_LT(greatest_speed(gas), 1e-10);
-    const double weight = gas.mean_pressure_gradient()[2](3, 2, 5);
-    EXPECT_NEAR(weight, -9.81 * input.density, 1e-10);
+    expect_rest(input);
+    input.model = GasModel::b;
+    expect_rest(input);
+    input.scheme = TimeScheme::crank_nicolson;
+    input.pressure_velocity = PressureVelocity::simplec;
+    expect_rest(input);
   }
 }
 
-TEST(gas_balance, what_flows_in_flows_out_or_is_stored_in_every_step) {
-  GasInput input = box({6, 4, 16}, Vec3(0.06, 0.04, 0.16), walls);
+TEST(gas_balance, ideal_gas_at_rest_under_gravity_stays_at_rest_in_any_void_fraction) {
+  for (const int outlet_side : {5, 0, -1}) {
+    Sides sides = walls;
+    if (outlet_side >= 0) sides[outlet_side] = &outlet;
+    GasInput input = ideal_gas(box({6, 5, 12}, Vec3(0.06, 0.05, 0.12), sides));
+    expect_rest(input);
+    input.model = GasModel::b;
+    expect_rest(input);
+  }
+}
+
+// Mass of the gas in the grid [kg].
+double mass(const GasSolver& gas, const GasInput& input) {
+  double sum = 0;
+  for_each_cell(gas.own(), [&](int i, int j, int k) {
+    const double rho =
+        gas.state().density.size() > 0 ? gas.state().density(i, j, k) : input.density;
+    sum += rho * gas.state().void_fraction(i, j, k);
+  });
+  return sum * gas.grid().cell_volume();
+}
+
+void expect_mass_balance(GasInput input) {
   input.sides[5] = &outlet;
   input.inflows = {whole_side(input, 4, 0.8)};
   input.inflows[0].ramp = 0.01;
-  input.tolerance = 1e-10;
+  input.mass_sources = {{Vec3(0, 0, 0.1), Vec3(0.03, 0.04, 0.13), 1e-4}};
   GasSolver gas(input, self());
-  const double cell = input.grid.cell_volume();
   double before = 0;
   for (int n = 0; n < 20; ++n) {
     const auto eps = [n](int i, int j, int k) {
@@ -46,16 +77,88 @@ TEST(gas_balance, what_flows_in_flows_out_or_is_stored_in_every_step) {
     set_bed(
         gas, eps, [](int, int, int) { return 1000.0; }, constant_zero);
     const GasReport report = gas.advance(1e-3);
-    double gas_volume = 0;
-    for (const double value : gas.void_fraction()) gas_volume += value * cell;
-    const double stored = n == 0 ? 0 : input.density * (gas_volume - before) / 1e-3;
-    before = gas_volume;
+    const double now = mass(gas, input);
+    const double stored = n == 0 ? 0 : (now - before) / 1e-3;
+    before = now;
+    // At the default tolerance: what a cell lacks is made up for by the whole.
     const double scale = std::max(report.mass_inflow, std::abs(stored));
-    // Each of the 384 cells may miss the tolerance.
-    EXPECT_NEAR(report.mass_inflow, report.mass_outflow + stored, 384 * 1e-10 * scale) << n;
-    EXPECT_LE(report.continuity_residual, 1e-10);
+    if (n > 0) {
+      EXPECT_NEAR(report.mass_inflow + 1e-4, report.mass_outflow + stored, 1e-10 * scale) << n;
+    }
+    EXPECT_LE(report.mass_imbalance, 1e-10);
+    EXPECT_LE(report.continuity_residual, input.tolerance);
     EXPECT_EQ(report.momentum_not_converged, 0);
+    EXPECT_EQ(report.outer_not_converged, 0);
   }
+}
+
+TEST(gas_balance, what_flows_in_flows_out_or_is_stored_in_every_step) {
+  GasInput input = box({6, 4, 16}, Vec3(0.06, 0.04, 0.16), walls);
+  expect_mass_balance(input);
+  input.scheme = TimeScheme::crank_nicolson;
+  expect_mass_balance(input);
+  input = ideal_gas(input);
+  input.scheme = TimeScheme::implicit_euler;
+  expect_mass_balance(input);
+  input.pressure_velocity = PressureVelocity::simplec;
+  input.relax_velocity = 0.9;
+  input.relax_pressure = 1.0;
+  expect_mass_balance(input);
+}
+
+TEST(gas_balance, sealed_box_of_ideal_gas_is_pressurised_as_the_gas_law_says) {
+  GasInput input = ideal_gas(box({5, 4, 6}, Vec3(0.05, 0.04, 0.06), walls));
+  input.gravity = Vec3::Zero();
+  InflowPatch nozzle;
+  nozzle.side = 4;
+  nozzle.outline = {{{0.02, 0.01}, {0.03, 0.03}}, false};
+  nozzle.mass_flow = 2e-5;
+  input.inflows = {nozzle};
+  GasSolver gas(input, self());
+  const double eps = 0.6;
+  set_bed(
+      gas, [=](int, int, int) { return eps; }, constant_zero, constant_zero);
+  const int steps = 50;
+  for (int n = 0; n < steps; ++n) {
+    const GasReport report = gas.advance(1e-3);
+    EXPECT_NEAR(report.mass_inflow, nozzle.mass_flow, 1e-12 * nozzle.mass_flow);
+  }
+  double pressure = 0;
+  for (const double p : gas.pressure()) pressure += p;
+  pressure /= static_cast<double>(gas.own().size());
+  const double volume = eps * 0.05 * 0.04 * 0.06;
+  const double expected = nozzle.mass_flow * steps * 1e-3 * gas_constant * input.temperature /
+                          (volume * input.molar_mass);
+  EXPECT_GT(expected, 1000);
+  EXPECT_NEAR(pressure, expected, 1e-9 * expected);
+}
+
+TEST(gas_balance, ideal_gas_carries_sound_at_its_isothermal_speed) {
+  // A standing wave between walls, half a wave long, which an implicit step of 1/400 of a period
+  // damps but hardly slows.
+  Sides sides = walls;
+  for (const int side : {0, 1, 2, 3}) sides[side] = &wall_free_slip;
+  GasInput input = ideal_gas(box({1, 1, 64}, Vec3(0.01, 0.01, 1), sides));
+  input.gravity = Vec3::Zero();
+  input.scheme = TimeScheme::crank_nicolson;
+  const double speed = std::sqrt(gas_constant * input.temperature / input.molar_mass);
+  const double period = 2.0 / speed;
+  input.step = period / 400;
+  input.tolerance = 1e-10;
+  GasSolver gas(input, self());
+  const double amplitude = 1e-3;
+  for_each_cell(gas.domain().inner_faces(2), [&](int i, int j, int k) {
+    gas.state().velocity[2](i, j, k) = amplitude * std::sin(M_PI * k / 64.0);
+  });
+  double last = amplitude;
+  double crossing = 0;  // of the velocity in the middle through 0, a quarter of a period
+  for (int n = 1; n <= 200 && crossing == 0; ++n) {
+    gas.advance(input.step);
+    const double now = gas.state().velocity[2](0, 0, 32);
+    if (now <= 0) crossing = (n - 1 + last / (last - now)) * input.step;
+    last = now;
+  }
+  EXPECT_NEAR(crossing, period / 4, 0.01 * period / 4);
 }
 
 TEST(gas_balance, the_default_tolerance_keeps_continuity_to_a_millionth_of_the_inflow) {
@@ -110,45 +213,6 @@ TEST(gas_balance, drag_impulse_of_an_interval_is_the_sum_over_its_steps) {
   for (int n = 0; n < 4; ++n) sum += parts.advance(0.25e-3).drag_impulse;
   // Exact but for the round-off of the clock (the ramp and dt of the steps).
   EXPECT_LT((report.drag_impulse - sum).norm(), 1e-10 * sum.norm());
-}
-
-// With plug flow the balance is -eps dp/dz = K u - S, u = U / eps.
-double pressure_drop_per_height(double eps, double drag, double superficial) {
-  GasInput input = box({4, 3, 20}, Vec3(0.04, 0.03, 0.2), column);
-  input.inflows = {whole_side(input, 4, superficial)};
-  input.gravity = Vec3::Zero();
-  input.tolerance = 1e-10;
-  input.pressure_probes = {0.045, 0.145};
-  GasSolver gas(input, self());
-  set_bed(
-      gas, [=](int, int, int) { return eps; }, [=](int, int, int) { return drag; }, constant_zero);
-  GasReport report;
-  for (int n = 0; n < 200; ++n) report = gas.advance(1e-3);
-  return (report.probe_pressure[0] - report.probe_pressure[1]) / 0.1;
-}
-
-TEST(gas_balance, plug_flow_through_uniform_drag_has_the_analytic_pressure_drop) {
-  const double eps = 0.4;
-  const double drag = 3000;
-  const double u = 1.5 / eps;
-  EXPECT_NEAR(pressure_drop_per_height(eps, drag, 1.5), drag * u / eps, 1e-6 * drag * u / eps);
-}
-
-TEST(gas_balance, ergun_drag_gives_the_ergun_pressure_drop) {
-  const double eps = 0.42;
-  const double grain = 2.5e-3;
-  const double superficial = 1.2;
-  const double u = superficial / eps;
-  const GasInput air;
-  const double mu = air.viscosity;
-  const double rho = air.density;
-  // Momentum exchange of model A: Hoomans et al. (2001), eq. 27.
-  const double beta = 150 * (1 - eps) * (1 - eps) / eps * mu / (grain * grain) +
-                      1.75 * (1 - eps) * rho / grain * u * eps / eps;
-  const double expected =
-      150 * mu * superficial * std::pow(1 - eps, 2) / (std::pow(eps, 3) * grain * grain) +
-      1.75 * rho * superficial * superficial * (1 - eps) / (std::pow(eps, 3) * grain);
-  EXPECT_NEAR(pressure_drop_per_height(eps, beta, superficial), expected, 1e-6 * expected);
 }
 
 TEST(gas_balance, very_stiff_drag_makes_the_gas_follow_the_grains) {
