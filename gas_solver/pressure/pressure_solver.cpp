@@ -33,7 +33,9 @@ int PressureSolver::solve(PressureSystem& system, double tolerance) {
   // To balance the whole may lift a cell at an outlet above the tolerance again.
   gradients_->balance(system);
   while (!gradients_->converged() && iterations < max_iterations) {
-    iterations += go_on(system, max_iterations - iterations);
+    const int more = go_on(system, max_iterations - iterations);
+    if (more == 0) break;  // the residual is no number: the step's check of its fields will say so
+    iterations += more;
     gradients_->balance(system);
   }
   return iterations;
