@@ -16,6 +16,7 @@
 #include "coupling/transport/launch.h"
 #include "gas_solver/coupling_port.h"
 #include "gas_solver/gas_step.h"
+#include "gas_solver/io/clamp_counts.h"
 #include "gas_solver/io/disk.h"
 #include "gas_solver/io/history.h"
 #include "gas_solver/io/progress.h"
@@ -35,6 +36,16 @@ struct Options {
 // The intervals of a run without particles, when [output] every names none.
 constexpr double default_interval_steps = 10;
 
+// Seconds by task. Collective.
+void write_ledger(GasSolver& gas, const std::string& folder, const Communicator& comm) {
+  const std::string ledger = gas.costs().json(comm);
+  if (!comm.is_root()) return;
+  const std::string name = folder + "/ledger.gas.json";
+  std::ofstream out(name);
+  if (!(out << ledger << std::endl))
+    fail("{}: cannot be written: {}.", name, why_not_written(name));
+}
+
 void run_alone(const Options& options, const GasInput& input, const Communicator& comm) {
   GasSolver gas(input, comm);
   if (comm.is_root()) std::filesystem::create_directories(options.out);
@@ -51,6 +62,7 @@ void run_alone(const Options& options, const GasInput& input, const Communicator
 
   RunProgress progress(gas.time(), input.end, output_on_terminal());
   SubstepNote note(input, gas.time());
+  ClampCounts clamps;
   const double interval =
       input.output_every > 0 ? input.output_every : default_interval_steps * input.step;
   const double round_off = 1e-9 * interval;
@@ -59,13 +71,16 @@ void run_alone(const Options& options, const GasInput& input, const Communicator
     const double next = interval * (std::floor((gas.time() + round_off) / interval) + 1);
     const GasReport report = gas.advance(std::min(next, input.end) - gas.time());
     if (history) history->add(report);
+    clamps.add(report);
     if (snapshots) snapshots->write(gas);
     if (!comm.is_root()) continue;
     if (const std::string text = note.after(report); !text.empty()) progress.tell(text);
     progress.show(report);
   }
   progress.finish();
+  if (comm.is_root() && !clamps.text().empty()) progress.tell(clamps.text());
   gas.write_checkpoint(options.out + "/gas.checkpoint.h5");
+  write_ledger(gas, options.out, comm);
 }
 
 // Serves the DEM program of the launch; its intervals pace the output.
@@ -98,12 +113,7 @@ void run_coupled(const Options& options, const GasInput& input, const Launch& la
     snapshots->write(gas);
     written = due();
   });
-  const std::string ledger = gas.costs().json(comm);
-  if (!comm.is_root()) return;
-  const std::string ledger_file = options.out + "/ledger.gas.json";
-  std::ofstream out(ledger_file);
-  if (!(out << ledger << std::endl))
-    fail("{}: cannot be written: {}.", ledger_file, why_not_written(ledger_file));
+  write_ledger(gas, options.out, comm);
 }
 
 void run(const Options& options, const Launch& launch) {

@@ -1,14 +1,9 @@
-#include <cmath>
-
 #include "coupling/base/error.h"
 #include "gas_solver/input/readers.h"
+#include "gas_solver/plane_of_spheres.h"
 
 namespace gasgrain {
 namespace {
-
-// The depth of a plane of spheres that gives the solids of a bed, a spacing of its lattice (Hoomans
-// et al. 2001, eq. 35), over the diameter.
-const double depth_of_spheres = 2 * std::pow(3.0, -0.75);
 
 void make_plane(InputTable& table, GasInput& input) {
   BoxGrid& grid = input.grid;
@@ -20,7 +15,7 @@ void make_plane(InputTable& table, GasInput& input) {
     return;
   }
   const double middle = 0.5 * (grid.lo[1] + grid.hi[1]);
-  const double depth = depth_of_spheres * input.plane_of_spheres;
+  const double depth = plane_depth_in_diameters * input.plane_of_spheres;
   grid.lo[1] = middle - 0.5 * depth;
   grid.hi[1] = middle + 0.5 * depth;
 }
