@@ -109,12 +109,13 @@ void MomentumAssembly::inner_rows(const GasState& state, int component, const Ce
 
   for (int k = faces.lo[2]; k < faces.hi[2]; ++k)
     for (int j = faces.lo[1]; j < faces.hi[1]; ++j) {
-      std::ptrdiff_t o = rows.offset(faces.lo[0], j, k);
-      for (int i = faces.lo[0]; i < faces.hi[0]; ++i, ++o) {
+      std::ptrdiff_t o = cells.offset(faces.lo[0], j, k);
+      MomentumRow* row = &rows(faces.lo[0], j, k);
+      for (int i = faces.lo[0]; i < faces.hi[0]; ++i, ++o, ++row) {
         const double eps_f = eps_face[o];
         const double mu_before = normal_stress * viscosity(o - s);
         const double mu_here = normal_stress * viscosity(o);
-        double* const c = rows[o].coefficient.data();
+        double* const c = row->coefficient.data();
         c[lo] =
             std::max(side_flux(flux, o, s), 0.0) * per_h + mu_before * per_h * per_h * eps[o - s];
         c[hi] =
@@ -144,10 +145,10 @@ void MomentumAssembly::inner_rows(const GasState& state, int component, const Ce
         add(across1);
         add(across2);
         const double gradient = (p[o] - p[o - s]) * per_h - excess_weight * (p[o] + p[o - s]);
-        rows[o].inverse_diagonal = 0.5 * (drag[o - s] + drag[o]) + sum;
-        rows[o].source = 0.5 * (source[o - s] + source[o]) -
-                         (whole_gradient ? 1.0 : eps_f) * gradient +
-                         eps_f * face_value(density, o, s) * body + stress * per_h + gain[o];
+        row->inverse_diagonal = 0.5 * (drag[o - s] + drag[o]) + sum;
+        row->source = 0.5 * (source[o - s] + source[o]) -
+                      (whole_gradient ? 1.0 : eps_f) * gradient +
+                      eps_f * face_value(density, o, s) * body + stress * per_h + gain[o];
       }
     }
 }
@@ -169,7 +170,7 @@ void MomentumAssembly::outlet_rows(const GasState& state, int side, const Densit
     const auto o = eps.offset(i, j, k);
     const auto cell = o + inner_cell_offset(side, s);
     const double mu = viscosity(cell);
-    MomentumRow& row = rows[o];
+    MomentumRow& row = rows(i, j, k);
     row.coefficient.fill(0.0);
     const double from_inside = std::max(outward * 0.5 * (flux[d][o] + flux[d][o + in]), 0.0);
     row.coefficient[side_of(d, !is_high(side))] =
@@ -201,7 +202,7 @@ template <class Viscosity>
 void MomentumAssembly::close_side(int component, int side, const Viscosity& viscosity,
                                   const Turbulence* turbulence, Array3<MomentumRow>& rows) const {
   const int axis = axis_of(side);
-  const std::ptrdiff_t s = rows.stride(component);
+  const std::ptrdiff_t s = face_void_fraction_.stride(component);
   const double h = spacing_[axis];
   const double molecular = viscosity_ / (h * h);
   const int inner = side_of(axis, !is_high(side));
@@ -211,9 +212,9 @@ void MomentumAssembly::close_side(int component, int side, const Viscosity& visc
   const double wall = wall_velocity_[side][component];
   const IndexBox faces = beside(unknown_faces(domain_, sides_, component), side, domain_.own());
   for_each_cell(faces, [&](int i, int j, int k) {
-    const auto o = rows.offset(i, j, k);
+    const auto o = face_void_fraction_.offset(i, j, k);
     const double eps = face_void_fraction_[o];
-    MomentumRow& row = rows[o];
+    MomentumRow& row = rows(i, j, k);
     row.coefficient[side] = 0.0;
     row.inverse_diagonal -= face_value(viscosity, o, s) * eps / (h * h);  // of inner_rows
     if (!sticks) return;
@@ -233,10 +234,10 @@ void MomentumAssembly::close_side(int component, int side, const Viscosity& visc
 
 void MomentumAssembly::add_mass_sources(const GasState& state, int component,
                                         Array3<MomentumRow>& rows) const {
-  const std::ptrdiff_t s = rows.stride(component);
+  const std::ptrdiff_t s = state.mass_source.stride(component);
   for_each_cell(domain_.inner_faces(component), [&](int i, int j, int k) {
-    const auto o = rows.offset(i, j, k);
-    rows[o].inverse_diagonal +=
+    const auto o = state.mass_source.offset(i, j, k);
+    rows(i, j, k).inverse_diagonal +=
         0.5 * (std::max(state.mass_source[o - s], 0.0) + std::max(state.mass_source[o], 0.0));
   });
 }
@@ -257,9 +258,12 @@ void MomentumAssembly::add_jets(const GasState& state, int component,
     const auto o = flux.offset(face.face[0], face.face[1], face.face[2]);
     const auto next = o + inward(face.side, flux.stride(component));
     const double shared = std::max(into * 0.5 * (flux[o] + flux[next]), 0.0);
-    rows[next].coefficient[face.side] -= shared / h;
-    rows[next].inverse_diagonal += (std::max(shared, face.mass_flux) - shared) / h;
-    rows[next].source += into * face.momentum_flux / h;
+    Int3 at = face.face;
+    at[component] += is_high(face.side) ? -1 : 1;
+    MomentumRow& row = rows(at[0], at[1], at[2]);
+    row.coefficient[face.side] -= shared / h;
+    row.inverse_diagonal += (std::max(shared, face.mass_flux) - shared) / h;
+    row.source += into * face.momentum_flux / h;
   }
 }
 

@@ -69,8 +69,8 @@ void RowFinish::finish_faces(const IndexBox& faces, int component, const GasStat
   const bool relaxed = relax_ < 1.0;
   const bool keeps_mobility = method_ != PressureVelocity::projection;
   for_each_cell(faces, [&](int i, int j, int k) {
-    const auto o = rows.offset(i, j, k);
-    MomentumRow& row = rows[o];
+    const auto o = before.offset(i, j, k);
+    MomentumRow& row = rows(i, j, k);
     const double m = mass(o);
     double diagonal = row.inverse_diagonal;  // R
     double source = row.source + m * before[o];

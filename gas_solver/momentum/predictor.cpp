@@ -1,5 +1,6 @@
 #include "gas_solver/momentum/predictor.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "gas_solver/boundary/unknown_faces.h"
@@ -7,7 +8,19 @@
 namespace gasgrain {
 namespace {
 
+// Holds the unknown faces of every component.
+IndexBox with_high_faces(IndexBox box) {
+  for (int& hi : box.hi) ++hi;
+  return box;
+}
+
 constexpr int max_sweeps = 100;
+
+// What further sweeps would change, when their changes go on as a geometric series.
+double change_to_come(double change, double before) {
+  const double ratio = before > 0 ? change / before : 1.0;
+  return ratio < 1 ? change * ratio / (1 - ratio) : change;
+}
 
 // Outer iterations repeat the explicit parts by themselves.
 int default_passes(TimeScheme scheme, PressureVelocity method) {
@@ -26,7 +39,7 @@ Predictor::Predictor(const Domain& domain, const GasInput& input, Halo& halo)
       halo_(halo),
       assembly_(domain, input),
       finish_(domain, input),
-      rows_(domain.box()) {}
+      rows_(with_high_faces(domain.own())) {}
 
 MomentumReport Predictor::predict(GasState& state, const MomentumStep& step) {
   MomentumReport report;
@@ -47,6 +60,7 @@ void Predictor::pass(GasState& state, const MomentumStep& step, const CellVector
     assembly_.assemble(state, d, lagged, step.inflow, step.turbulence, rows_);
     finish_.finish(state, d, step, assembly_.face_void_fraction(), rows_);
     bool converged = false;
+    double change_before = 0;
     for (int n = 0; n < max_sweeps && !converged; ++n) {
       sweep(d, true);
       halo_.exchange({&solution_[d]});
@@ -55,7 +69,10 @@ void Predictor::pass(GasState& state, const MomentumStep& step, const CellVector
       ++report.sweeps;
       std::vector<double> sums{last.change, last.squares};
       domain_.comm().sum_in_place(sums);
-      converged = sums[0] <= tolerance_ * tolerance_ * (scale + sums[1]);
+      const double change = std::sqrt(sums[0]);
+      const double left = std::min(change, change_to_come(change, change_before));
+      change_before = change;
+      converged = left <= tolerance_ * std::sqrt(scale + sums[1]);
       if (converged) scale += sums[1];
     }
     if (!converged) ++report.not_converged;
@@ -78,8 +95,7 @@ Predictor::Change Predictor::sweep(int component, bool forth) {
   const std::ptrdiff_t sz = u.stride(2);
   const int nx = faces.extent(0);
   Change sums;
-  const auto update = [&](std::ptrdiff_t o) {
-    const MomentumRow& row = rows_[o];
+  const auto update = [&](const MomentumRow& row, std::ptrdiff_t o) {
     const auto& c = row.coefficient;
     const double others =
         row.source + c[2] * u[o - sy] + c[3] * u[o + sy] + c[4] * u[o - sz] + c[5] * u[o + sz];
@@ -93,12 +109,14 @@ Predictor::Change Predictor::sweep(int component, bool forth) {
   const int lines = rows_y * faces.extent(2);
   for (int n = 0; n < lines; ++n) {
     const int line = forth ? n : lines - 1 - n;
-    const std::ptrdiff_t first =
-        u.offset(faces.lo[0], faces.lo[1] + line % rows_y, faces.lo[2] + line / rows_y);
+    const int j = faces.lo[1] + line % rows_y;
+    const int k = faces.lo[2] + line / rows_y;
+    const std::ptrdiff_t first = u.offset(faces.lo[0], j, k);
+    const MomentumRow* const row = &rows_(faces.lo[0], j, k);
     if (forth)
-      for (std::ptrdiff_t o = first; o < first + nx; ++o) update(o);
+      for (int i = 0; i < nx; ++i) update(row[i], first + i);
     else
-      for (std::ptrdiff_t o = first + nx - 1; o >= first; --o) update(o);
+      for (int i = nx - 1; i >= 0; --i) update(row[i], first + i);
   }
   return sums;
 }

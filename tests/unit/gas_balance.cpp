@@ -215,6 +215,34 @@ TEST(gas_balance, drag_impulse_of_an_interval_is_the_sum_over_its_steps) {
   EXPECT_LT((report.drag_impulse - sum).norm(), 1e-10 * sum.norm());
 }
 
+TEST(gas_balance, drag_impulse_is_what_uniform_gas_loses_with_every_time_scheme) {
+  Sides sides;
+  sides.fill(&periodic_side);
+  for (const TimeScheme scheme : {TimeScheme::implicit_euler, TimeScheme::crank_nicolson}) {
+    GasInput input = box({4, 3, 5}, Vec3(0.04, 0.03, 0.05), sides);
+    input.gravity = Vec3::Zero();
+    input.scheme = scheme;
+    input.tolerance = 1e-13;
+    const double eps = 0.5;
+    const double drag = 900;  // relaxes in 0.7 of a step
+    GasSolver gas(input, self());
+    gas.state().velocity[2].fill(2.0);
+    set_bed(
+        gas, [=](int, int, int) { return eps; }, [=](int, int, int) { return drag; },
+        [=](int, int, int) { return 0.3 * drag; });
+    const double before = 2.0;
+    const GasReport report = gas.advance(input.step);
+    const double after = gas.state().velocity[2](1, 1, 1);
+    const double volume = 0.04 * 0.03 * 0.05;
+    EXPECT_NEAR(report.drag_impulse[2], input.density * eps * volume * (before - after),
+                1e-12 * input.density * volume);
+    const double share = scheme == TimeScheme::crank_nicolson ? 0.5 : 1.0;
+    const double at = share * after + (1 - share) * before;
+    EXPECT_NEAR(input.density * eps * (after - before) / input.step, -drag * (at - 0.3),
+                1e-9 * drag);
+  }
+}
+
 TEST(gas_balance, very_stiff_drag_makes_the_gas_follow_the_grains) {
   Sides sides = walls;
   sides[4] = sides[5] = &periodic_side;

@@ -150,6 +150,31 @@ TEST(gas_flow, thin_jet_at_a_high_courant_number_stays_bounded) {
   }
 }
 
+TEST(gas_flow, thin_jet_stays_bounded_with_crank_nicolson_at_its_courant_number) {
+  GasInput input = box({12, 6, 40}, Vec3(0.048, 0.024, 0.16), walls);
+  input.sides[5] = &outlet;
+  InflowPatch jet;
+  jet.side = 4;
+  jet.outline.bounds = {{0.024, 0.012}, {0.028, 0.016}};
+  jet.velocity = 150;
+  input.inflows = {jet};
+  input.scheme = TimeScheme::crank_nicolson;
+  input.courant_max = 2;
+  for (const bool with_bed : {true, false}) {
+    GasSolver gas(input, self());
+    if (with_bed)
+      set_bed(
+          gas, [](int, int, int k) { return k < 25 ? 0.42 : 1.0; },
+          [](int, int, int k) { return k < 25 ? 5000.0 : 0.0; }, constant_zero);
+    double greatest = 0;
+    for (int n = 0; n < 20; ++n) {
+      gas.advance(0.5e-3);
+      greatest = std::max(greatest, greatest_speed(gas));
+    }
+    EXPECT_LT(greatest, 1.25 * jet.velocity) << (with_bed ? "bed" : "free");
+  }
+}
+
 TEST(gas_flow, jet_that_starts_in_gas_at_rest_is_no_faster_than_its_nozzle_at_any_step) {
   GasInput input = box({36, 6, 30}, Vec3(0.15, 0.02, 0.14), walls);
   input.sides[5] = &outlet;
