@@ -3,7 +3,7 @@
 // 36, with an outlet at its top. Bubbles rise through a bed whose packing scatters by 10 %; each
 // solve is of the next step, from 0 until the residual is 1e-8 of the source's in the 2-norm.
 //
-//   pressure_bench [--quick] [--solves N]     on any number of ranks
+//   pressure_bench [--quick] [--cells N...] [--solves N]     on any number of ranks
 //
 // A contrast of 1 is one coefficient everywhere, which FFTW solves directly. The methods take turns
 // step by step, so that what else the machine does falls on all of them alike. A method that needs
@@ -12,9 +12,9 @@
 #include <malloc.h>
 #include <mpi.h>
 
+#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <memory>
 #include <numeric>
@@ -260,10 +260,15 @@ int main(int argc, char** argv) {
   MPI_Init(&argc, &argv);
   std::vector<double> sizes{5e4, 4e5, 2e6};
   int solves = 9;
-  for (int n = 1; n < argc; ++n) {
-    if (std::strcmp(argv[n], "--quick") == 0) sizes = {5e4};
-    if (std::strcmp(argv[n], "--solves") == 0 && n + 1 < argc) solves = std::atoi(argv[n + 1]);
-  }
+  CLI::App app(
+      "Pressure solvers against each other: iterations, time and memory, as a Markdown table");
+  app.add_flag_callback(
+      "--quick", [&] { sizes = {5e4}; }, "the smallest grid only");
+  app.add_option("--cells", sizes, "cells of the grids")->capture_default_str();
+  app.add_option("--solves", solves, "of which the median is told")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
   gasgrain::run(sizes, solves);
   MPI_Finalize();
   return 0;
