@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "coupling/base/error.h"
-#include "gas_solver/io/checkpoint.h"
 #include "gas_solver/mass_source.h"
 #include "gas_solver/operators/quantity.h"
 #include "gas_solver/operators/require_finite.h"
@@ -221,100 +220,6 @@ double GasSolver::gas_mass() const {
       },
       quantity(state_.density, input_.density));
   return domain_.comm().sum(sum) * grid().cell_volume();
-}
-
-void GasSolver::write_checkpoint(const std::string& file) {
-  projection_.forget();
-  CheckpointWriter out(file, domain_);
-  exchange_with(out);
-  out.finish();
-}
-
-void GasSolver::read_checkpoint(const std::string& file) {
-  CheckpointReader in(file, domain_);
-  exchange_with(in);
-  for (Array3<double>* field : {&state_.void_fraction, &state_.drag_coefficient, &state_.pressure,
-                                &state_.density, &state_.mass_source, &state_.drag_source[0],
-                                &state_.drag_source[1], &state_.drag_source[2]}) {
-    if (field->size() == 0) continue;
-    halo_.exchange({field});
-    fill_ghost_cells(domain_, *field);
-  }
-  fill_velocity_layers();
-  if (turbulence_) turbulence_->restore(state_);
-  void_fraction_to_ = state_.void_fraction;
-  for (CellVector* flux : {&state_.mass_flux, &state_.mass_flux_before})
-    for (int d = 0; d < 3; ++d) {
-      if ((*flux)[d].size() == 0) continue;
-      halo_.exchange({&(*flux)[d]});
-      fill_ghost_fluxes(domain_, d, (*flux)[d]);
-    }
-  projection_.forget();
-}
-
-// Everything a run needs to go on, in the order of the file.
-template <class File>
-void GasSolver::exchange_with(File& file) {
-  constexpr int of_cells = -1;
-  file.number("time", time_);
-  file.flag("has_void_fraction", has_void_fraction_);
-  file.field("void_fraction", of_cells, state_.void_fraction);
-  file.field("drag_coefficient", of_cells, state_.drag_coefficient);
-  file.field("pressure", of_cells, state_.pressure);
-  if (state_.density.size() > 0) file.field("density", of_cells, state_.density);
-  if (state_.mass_source.size() > 0) file.field("mass_source", of_cells, state_.mass_source);
-  file.number("last_step", levels_.last_step);
-  for (int d = 0; d < 3; ++d) {
-    const char axis = "xyz"[d];
-    file.field(std::string("drag_source_") + axis, of_cells, state_.drag_source[d]);
-    file.field(std::string("velocity_") + axis, d, state_.velocity[d]);
-    file.field(std::string("mass_flux_") + axis, d, state_.mass_flux[d]);
-    if (state_.mass_flux_before[d].size() > 0)
-      file.field(std::string("mass_flux_before_") + axis, d, state_.mass_flux_before[d]);
-    file.field(std::string("mean_velocity_") + axis, of_cells, means_.velocity[d]);
-    file.field(std::string("mean_pressure_gradient_") + axis, of_cells,
-               means_.pressure_gradient[d]);
-  }
-  if (turbulence_) turbulence_->exchange_with(file);
-}
-
-Array3<double> GasSolver::void_fraction() const {
-  Array3<double> field(own());
-  for_each_cell(own(),
-                [&](int i, int j, int k) { field(i, j, k) = state_.void_fraction(i, j, k); });
-  return field;
-}
-
-Array3<double> GasSolver::pressure() const {
-  Array3<double> field(own());
-  for_each_cell(own(), [&](int i, int j, int k) {
-    field(i, j, k) = state_.pressure(i, j, k) + hydrostatic_.pressure(i, j, k);
-  });
-  return field;
-}
-
-std::vector<GasSolver::NamedField> GasSolver::further_fields() const {
-  std::vector<NamedField> fields;
-  if (state_.density.size() > 0) fields.emplace_back("density", &state_.density);
-  if (!turbulence_) return fields;
-  fields.emplace_back("viscosity", &turbulence_->viscosity());
-  if (const KEpsilon* model = turbulence_->k_epsilon()) {
-    fields.emplace_back("turbulence_k", &model->k());
-    fields.emplace_back("turbulence_epsilon", &model->epsilon());
-  }
-  return fields;
-}
-
-CellVector GasSolver::cell_velocity() const {
-  CellVector field{Array3<double>(own()), Array3<double>(own()), Array3<double>(own())};
-  for (int d = 0; d < 3; ++d) {
-    const Array3<double>& u = state_.velocity[d];
-    for_each_cell(own(), [&](int i, int j, int k) {
-      const auto o = u.offset(i, j, k);
-      field[d](i, j, k) = 0.5 * (u[o] + u[o + u.stride(d)]);
-    });
-  }
-  return field;
 }
 
 }  // namespace gasgrain

@@ -57,7 +57,7 @@ void TomlInput::find_unknown(const toml::table& table, const std::string& path) 
   const std::vector<std::string> names = known_in(path);
   for (const auto& [key, node] : table) {
     const std::string word(key.str());
-    const std::string name = path.empty() ? word : path + "." + word;
+    const std::string name = path.empty() ? word : fmt::format("{}.{}", path, word);
     if (std::find(names.begin(), names.end(), word) == names.end()) {
       faults_.emplace_back(node.source().begin.line,
                            fmt::format("the key {} is unknown.{}", name, suggestion(word, names)));

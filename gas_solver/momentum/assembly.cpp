@@ -2,13 +2,9 @@
 
 #include <algorithm>
 
-#include "gas_solver/boundary/unknown_faces.h"
-
 namespace gasgrain {
 namespace {
 
-// Share of mu that multiplies a component's derivative along its own axis: 2 - 2/3.
-constexpr double normal_stress = 4.0 / 3.0;
 constexpr double dilatation = 2.0 / 3.0;
 
 // An axis across the component's own.
@@ -28,14 +24,6 @@ struct Across {
   int hi;
 };
 
-// Faces of a component that are unknown and lie beside a side along another axis.
-IndexBox beside(IndexBox faces, int side, const IndexBox& own) {
-  const int axis = axis_of(side);
-  faces.lo[axis] = is_high(side) ? own.hi[axis] - 1 : own.lo[axis];
-  faces.hi[axis] = faces.lo[axis] + 1;
-  return faces;
-}
-
 }  // namespace
 
 MomentumAssembly::MomentumAssembly(const Domain& domain, const GasInput& input)
@@ -43,8 +31,7 @@ MomentumAssembly::MomentumAssembly(const Domain& domain, const GasInput& input)
       density_(input.density),
       viscosity_(input.viscosity),
       whole_gradient_(input.model == GasModel::b),
-      sides_(input.sides),
-      wall_velocity_(input.wall_velocity),
+      sides_(domain, input),
       gravity_at_rest_(Hydrostatic(input).gravity_at_rest()),
       gravity_body_(Hydrostatic(input).gravity_body()),
       compressibility_(Hydrostatic(input).compressibility()),
@@ -60,20 +47,10 @@ void MomentumAssembly::assemble(const GasState& state, int component, const Cell
                                  : Quantity{ConstantQuantity{viscosity_}};
   convection_.evaluate(state.convecting_flux(), lagged[component], component, inflow);
   std::visit(
-      [&](const auto& rho, const auto& mu) {
-        inner_rows(state, component, lagged, rho, mu, rows);
-        for (const bool high : {false, true}) {
-          const int side = side_of(component, high);
-          if (domain_.touches(side) && !sides_[side]->normal_velocity_given)
-            outlet_rows(state, side, rho, mu, rows);
-        }
-        for (int side = 0; side < side_count; ++side)
-          if (axis_of(side) != component && domain_.touches(side))
-            close_side(component, side, mu, turbulence, rows);
-      },
+      [&](const auto& rho, const auto& mu) { inner_rows(state, component, lagged, rho, mu, rows); },
       quantity(state.density, density_), viscosity);
   if (state.mass_source.size() > 0) add_mass_sources(state, component, rows);
-  add_jets(state, component, inflow, rows);
+  sides_.add(state, component, viscosity, face_void_fraction_, inflow, turbulence, rows);
 }
 
 template <class Density, class Viscosity>
@@ -153,85 +130,6 @@ void MomentumAssembly::inner_rows(const GasState& state, int component, const Ce
     }
 }
 
-// The control volume is the half cell inside the side: its sides along the component's axis lie h /
-// 2 apart, and eps, K and S are those of the cell.
-template <class Density, class Viscosity>
-void MomentumAssembly::outlet_rows(const GasState& state, int side, const Density& density,
-                                   const Viscosity& viscosity, Array3<MomentumRow>& rows) const {
-  const int d = axis_of(side);
-  const Array3<double>& eps = state.momentum_void_fraction();
-  const CellVector& flux = state.convecting_flux();
-  const std::ptrdiff_t s = eps.stride(d);
-  const std::ptrdiff_t in = inward(side, s);
-  const double outward = is_high(side) ? 1.0 : -1.0;
-  const double half = 0.5 * spacing_[d];
-  const double excess_weight = 0.5 * compressibility_ * gravity_at_rest_[d];
-  for_each_cell(domain_.side_faces(side), [&](int i, int j, int k) {
-    const auto o = eps.offset(i, j, k);
-    const auto cell = o + inner_cell_offset(side, s);
-    const double mu = viscosity(cell);
-    MomentumRow& row = rows(i, j, k);
-    row.coefficient.fill(0.0);
-    const double from_inside = std::max(outward * 0.5 * (flux[d][o] + flux[d][o + in]), 0.0);
-    row.coefficient[side_of(d, !is_high(side))] =
-        from_inside / half + normal_stress * mu * eps[cell] / (half * spacing_[d]);
-    double sum = row.coefficient[side_of(d, !is_high(side))];
-    for (const int e : plane_axes(d)) {
-      const std::ptrdiff_t t = eps.stride(e);
-      const double he = spacing_[e];
-      const double visc = mu * eps[cell] / (he * he);
-      row.coefficient[side_of(e, false)] = std::max(flux[e][cell], 0.0) / he + visc;
-      row.coefficient[side_of(e, true)] = std::max(-flux[e][cell + t], 0.0) / he + visc;
-      sum += row.coefficient[side_of(e, false)] + row.coefficient[side_of(e, true)];
-    }
-    const double backflow = std::max(-outward * flux[d][o], 0.0);
-    sum += (1.0 - backflow_share) * backflow / half;
-    row.inverse_diagonal = state.drag_coefficient[cell] + sum;
-    const double p = state.pressure[cell];
-    const double gradient = outward * (0.0 - p) / half - excess_weight * p;
-    row.source = state.drag_source[d][cell] - (whole_gradient_ ? 1.0 : eps[cell]) * gradient +
-                 eps[cell] * density(cell) * gravity_body_[d];
-  });
-}
-
-// What enters along a side carries no velocity along it, and the shear there is the side's own:
-// none, or where the gas sticks, with u_1 and u_2 the first two values inside and U the wall's,
-//   mu (9 u_1 - u_2 - 8 U) / (3 h),
-// exact for a parabola; mu (u_1 - U) / (h / 2) where there is no u_2; or that of a wall law.
-template <class Viscosity>
-void MomentumAssembly::close_side(int component, int side, const Viscosity& viscosity,
-                                  const Turbulence* turbulence, Array3<MomentumRow>& rows) const {
-  const int axis = axis_of(side);
-  const std::ptrdiff_t s = face_void_fraction_.stride(component);
-  const double h = spacing_[axis];
-  const double molecular = viscosity_ / (h * h);
-  const int inner = side_of(axis, !is_high(side));
-  const bool sticks = sides_[side]->sticks;
-  const bool wall_law = sticks && turbulence != nullptr && turbulence->has_wall_law();
-  const bool parabola = domain_.grid().cells[axis] > 1;
-  const double wall = wall_velocity_[side][component];
-  const IndexBox faces = beside(unknown_faces(domain_, sides_, component), side, domain_.own());
-  for_each_cell(faces, [&](int i, int j, int k) {
-    const auto o = face_void_fraction_.offset(i, j, k);
-    const double eps = face_void_fraction_[o];
-    MomentumRow& row = rows(i, j, k);
-    row.coefficient[side] = 0.0;
-    row.inverse_diagonal -= face_value(viscosity, o, s) * eps / (h * h);  // of inner_rows
-    if (!sticks) return;
-    double per_slip = (parabola ? 8.0 / 3.0 : 2.0) * molecular * eps;
-    if (wall_law) {
-      const Array3<double>& law = turbulence->wall_coefficient(side);
-      const auto cell = law.offset(i, j, k);
-      per_slip = face_mean(law, cell, law.stride(component)) * eps / h;
-    } else if (parabola) {
-      row.coefficient[inner] += molecular * eps / 3.0;
-      row.inverse_diagonal += molecular * eps / 3.0;
-    }
-    row.inverse_diagonal += per_slip;
-    row.source += per_slip * wall;
-  });
-}
-
 void MomentumAssembly::add_mass_sources(const GasState& state, int component,
                                         Array3<MomentumRow>& rows) const {
   const std::ptrdiff_t s = state.mass_source.stride(component);
@@ -240,31 +138,6 @@ void MomentumAssembly::add_mass_sources(const GasState& state, int component,
     rows(i, j, k).inverse_diagonal +=
         0.5 * (std::max(state.mass_source[o - s], 0.0) + std::max(state.mass_source[o], 0.0));
   });
-}
-
-// The control volume next to a face of inflow takes the patch's momentum M = rho f U^2 in full,
-// whatever share of the face it covers. The flux F_c it shares with that face, the mean of the
-// face's F_0 and the next one's, dilutes it where the jet draws gas in (F_c > F_0); where gas
-// leaves sideways below (F_c < F_0), it takes the control volume's velocity along: M - max(F_c,
-// F_0) u.
-void MomentumAssembly::add_jets(const GasState& state, int component,
-                                const std::vector<InflowFace>& inflow,
-                                Array3<MomentumRow>& rows) const {
-  const double h = spacing_[component];
-  const Array3<double>& flux = state.convecting_flux()[component];
-  for (const InflowFace& face : inflow) {
-    if (axis_of(face.side) != component) continue;
-    const double into = is_high(face.side) ? -1.0 : 1.0;
-    const auto o = flux.offset(face.face[0], face.face[1], face.face[2]);
-    const auto next = o + inward(face.side, flux.stride(component));
-    const double shared = std::max(into * 0.5 * (flux[o] + flux[next]), 0.0);
-    Int3 at = face.face;
-    at[component] += is_high(face.side) ? -1 : 1;
-    MomentumRow& row = rows(at[0], at[1], at[2]);
-    row.coefficient[face.side] -= shared / h;
-    row.inverse_diagonal += (std::max(shared, face.mass_flux) - shared) / h;
-    row.source += into * face.momentum_flux / h;
-  }
 }
 
 }  // namespace gasgrain

@@ -24,7 +24,7 @@
 #include "gas_solver/grid/hydrostatic.h"
 #include "gas_solver/momentum/explicit_convection.h"
 #include "gas_solver/momentum/momentum_step.h"
-#include "gas_solver/momentum/row.h"
+#include "gas_solver/momentum/side_rows.h"
 #include "gas_solver/operators/quantity.h"
 #include "gas_solver/turbulence/turbulence.h"
 
@@ -47,22 +47,13 @@ class MomentumAssembly {
   template <class Density, class Viscosity>
   void inner_rows(const GasState& state, int component, const CellVector& lagged,
                   const Density& density, const Viscosity& viscosity, Array3<MomentumRow>& rows);
-  template <class Density, class Viscosity>
-  void outlet_rows(const GasState& state, int side, const Density& density,
-                   const Viscosity& viscosity, Array3<MomentumRow>& rows) const;
-  template <class Viscosity>
-  void close_side(int component, int side, const Viscosity& viscosity, const Turbulence* turbulence,
-                  Array3<MomentumRow>& rows) const;
   void add_mass_sources(const GasState& state, int component, Array3<MomentumRow>& rows) const;
-  void add_jets(const GasState& state, int component, const std::vector<InflowFace>& inflow,
-                Array3<MomentumRow>& rows) const;
 
   const Domain& domain_;
   double density_;
   double viscosity_;
   bool whole_gradient_;  // model B
-  Sides sides_;
-  std::array<Vec3, 6> wall_velocity_;
+  SideRows sides_;
   Vec3 gravity_at_rest_;
   Vec3 gravity_body_;
   double compressibility_;

@@ -16,10 +16,12 @@ IndexBox with_high_faces(IndexBox box) {
 
 constexpr int max_sweeps = 100;
 
-// What further sweeps would change, when their changes go on as a geometric series.
+// What further sweeps would change, when their changes go on as a geometric series; with a margin,
+// as the slowest of several series is the last to show.
 double change_to_come(double change, double before) {
+  constexpr double margin = 3.0;
   const double ratio = before > 0 ? change / before : 1.0;
-  return ratio < 1 ? change * ratio / (1 - ratio) : change;
+  return ratio < 1 ? margin * change * ratio / (1 - ratio) : change;
 }
 
 // Outer iterations repeat the explicit parts by themselves.
