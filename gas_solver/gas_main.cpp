@@ -18,6 +18,7 @@
 #include "gas_solver/gas_step.h"
 #include "gas_solver/io/clamp_counts.h"
 #include "gas_solver/io/disk.h"
+#include "gas_solver/io/file_locks.h"
 #include "gas_solver/io/history.h"
 #include "gas_solver/io/progress.h"
 #include "gas_solver/io/snapshots.h"
@@ -170,6 +171,7 @@ int parse(int argc, char** argv, Options& options) {
 }  // namespace gasgrain
 
 int main(int argc, char** argv) {
+  gasgrain::open_files_without_semaphores();
   MPI_Init(&argc, &argv);
   // mpirun passes the wish to stop on to all; the DEM program decides when, the gas follows it.
   std::signal(SIGUSR1, SIG_IGN);

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 #include <mpi.h>
 
+#include "gas_solver/io/file_locks.h"
+
 int main(int argc, char** argv) {
+  gasgrain::open_files_without_semaphores();
   MPI_Init(&argc, &argv);
   testing::InitGoogleTest(&argc, argv);
   int failed = RUN_ALL_TESTS();
