@@ -95,5 +95,44 @@ TEST(drag_di_felice, settles_as_richardson_and_zaki_found_in_creeping_flow) {
         std::pow(eps, 4.7), 1e-12);
 }
 
+// The switch, C_d and exponent of Gidaspow's book are those of Hoomans et al. (2001).
+TEST(drag_gidaspow, is_ergun_wen_yu_under_another_name) {
+  for (const double eps : {0.3, 0.79, 0.81, 1.0})
+    for (const double re : {0.0, 10.0, 2000.0})
+      EXPECT_EQ(over_stokes<DragGidaspow>(eps, re), over_stokes<DragErgunWenYu>(eps, re));
+}
+
+// Huilin and Gidaspow (2003), the weight as a function of phi.
+TEST(drag_gidaspow_blend, has_the_values_of_its_source) {
+  EXPECT_NEAR(over_stokes<DragGidaspowBlend>(0.6, 100.0), 21.73411604, 1e-8);
+  EXPECT_NEAR(over_stokes<DragGidaspowBlend>(0.78, 50.0), 8.439273162, 1e-8);
+  EXPECT_NEAR(over_stokes<DragGidaspowBlend>(0.9, 100.0), 6.083237391, 1e-8);
+}
+
+TEST(drag_gidaspow_blend, is_the_mean_of_both_laws_at_the_switch) {
+  const double u = slip_of(300.0, 0.8);
+  EXPECT_NEAR(DragGidaspowBlend::coefficient(air, 0.8, u, d) /
+                  (DragErgunWenYu::ergun(air, 0.8, u, d) + DragErgunWenYu::wen_yu(air, 0.8, u, d)),
+              0.5, 1e-14);
+}
+
+TEST(drag_schiller_naumann, has_the_values_of_its_source) {
+  EXPECT_NEAR(over_stokes<DragSchillerNaumann>(1.0, 1.0), 1.15, 1e-12);
+  EXPECT_NEAR(over_stokes<DragSchillerNaumann>(1.0, 10.0), 1.729610809, 1e-8);
+  EXPECT_NEAR(over_stokes<DragSchillerNaumann>(1.0, 100.0), 4.548879546, 1e-8);
+  EXPECT_NEAR(over_stokes<DragSchillerNaumann>(1.0, 2000.0), 0.44 * 2000.0 / 24.0, 1e-8);
+}
+
+// Clift and Gauvin (1971), within 6 % of measured spheres up to Re = 3e5.
+TEST(drag_schiller_naumann, follows_the_standard_drag_curve) {
+  for (double re = 0.01; re < 2e5; re *= 1.3) {
+    const double cd = 24.0 / re * (1.0 + 0.15 * std::pow(re, 0.687)) +
+                      0.42 / (1.0 + 42500.0 * std::pow(re, -1.16));
+    EXPECT_NEAR(DragSchillerNaumann::over_stokes(re) * 24.0 / re / cd, 1.0,
+                re < 800.0 ? 0.06 : 0.15)
+        << "Re " << re;
+  }
+}
+
 }  // namespace
 }  // namespace gasgrain

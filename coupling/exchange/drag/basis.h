@@ -48,9 +48,20 @@ inline double superficial_reynolds(const GasProperties& gas, double eps, double 
   return eps * gas.density * slip_speed * diameter / gas.viscosity;
 }
 
+// Re = rho |u - v| d / mu, with the interstitial slip: that of a sphere which stands alone.
+inline double interstitial_reynolds(const GasProperties& gas, double slip_speed, double diameter) {
+  return gas.density * slip_speed * diameter / gas.viscosity;
+}
+
 // From beta / (1 - eps) [kg/(m3 s)] of model A and the interstitial slip.
 inline double coefficient_from_beta(double beta_per_solid_fraction, double diameter) {
   return beta_per_solid_fraction * sphere_volume(0.5 * diameter);
+}
+
+// From the drag of an isolated sphere in units of Stokes' drag: F_d = 3 pi mu d |u - v| f. There is
+// no bed, so its slip is the interstitial one and the total force is the drag.
+inline double coefficient_from_isolated_drag(double f, const GasProperties& gas, double diameter) {
+  return stokes_coefficient(gas, diameter) * f;
 }
 
 // From the drag of model A in units of Stokes' drag at the superficial slip: F_d = 3 pi mu d U f.
