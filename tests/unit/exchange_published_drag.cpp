@@ -116,6 +116,39 @@ TEST(drag_gidaspow_blend, is_the_mean_of_both_laws_at_the_switch) {
               0.5, 1e-14);
 }
 
+// Benyahia et al. (2006), a point in every regime; Re of the diameter, eps^2 F.
+TEST(drag_hill_koch_ladd, has_the_values_of_its_source) {
+  EXPECT_NEAR(over_stokes<DragHillKochLadd>(0.995, 0.5), 1.082839844, 1e-8);
+  EXPECT_NEAR(over_stokes<DragHillKochLadd>(0.995, 40.0), 1.986767233, 1e-8);
+  EXPECT_NEAR(over_stokes<DragHillKochLadd>(0.95, 1.0), 1.829677052, 1e-8);
+  EXPECT_NEAR(over_stokes<DragHillKochLadd>(0.8, 2.0), 3.56039672, 1e-8);
+  EXPECT_NEAR(over_stokes<DragHillKochLadd>(0.8, 100.0), 9.567491362, 1e-8);
+  EXPECT_NEAR(over_stokes<DragHillKochLadd>(0.55, 2.0), 8.243623903, 1e-8);
+  EXPECT_NEAR(over_stokes<DragHillKochLadd>(0.4, 100.0), 34.681, 1e-7);
+}
+
+TEST(drag_hill_koch_ladd, starts_gently_and_then_is_the_linear_law) {
+  const double eps = 0.6;
+  // To first order in Re a random array knows no inertia, and F1 R^2 says how it begins.
+  const double at_rest = over_stokes<DragHillKochLadd>(eps, 0.0);
+  EXPECT_NEAR(over_stokes<DragHillKochLadd>(eps, 2e-3) / at_rest, 1.0, 1e-7);
+  EXPECT_LT(over_stokes<DragHillKochLadd>(eps, 5.0), over_stokes<DragKochHill>(eps, 5.0));
+  for (const double re : {6.0, 50.0, 200.0})
+    EXPECT_NEAR(over_stokes<DragHillKochLadd>(eps, re) / over_stokes<DragKochHill>(eps, re), 1.0,
+                1e-13);
+}
+
+TEST(drag_hill_koch_ladd, steps_where_its_solid_fractions_meet_as_published) {
+  const auto step = [](double eps, double re) {
+    return over_stokes<DragHillKochLadd>(eps - 1e-9, re) /
+           over_stokes<DragHillKochLadd>(eps + 1e-9, re);
+  };
+  EXPECT_NEAR(step(0.99, 0.0), 1.2788, 1e-4);
+  EXPECT_NEAR(step(0.99, 10.0), 1.0, 1e-6);
+  EXPECT_NEAR(step(0.9, 3.0), 1.0 - 1.25e-4, 1e-6);
+  EXPECT_NEAR(step(0.6, 3.0), 1.0, 1e-6);
+}
+
 TEST(drag_schiller_naumann, has_the_values_of_its_source) {
   EXPECT_NEAR(over_stokes<DragSchillerNaumann>(1.0, 1.0), 1.15, 1e-12);
   EXPECT_NEAR(over_stokes<DragSchillerNaumann>(1.0, 10.0), 1.729610809, 1e-8);

@@ -13,13 +13,14 @@
 #include "coupling/exchange/drag/ergun_wen_yu.h"
 #include "coupling/exchange/drag/gidaspow.h"
 #include "coupling/exchange/drag/gidaspow_blend.h"
+#include "coupling/exchange/drag/hill_koch_ladd.h"
 #include "coupling/exchange/drag/koch_hill.h"
 #include "coupling/exchange/drag/schiller_naumann.h"
 
 namespace gasgrain {
 
 using DragModel = std::variant<DragErgunWenYu, DragKochHill, DragDiFelice, DragGidaspow,
-                               DragGidaspowBlend, DragSchillerNaumann>;
+                               DragGidaspowBlend, DragHillKochLadd, DragSchillerNaumann>;
 
 // No packing of spheres is denser than 0.26; a method that puts a whole particle into one cell can
 // report less, and no law means anything there.
