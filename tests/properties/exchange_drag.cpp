@@ -103,8 +103,8 @@ TYPED_TEST(drag, grows_as_the_bed_gets_denser) {
 }
 
 TYPED_TEST(drag, is_continuous_in_the_void_fraction_except_at_its_stated_switches) {
-  const double step = 1e-7;
-  // Next to eps = 1 Koch and Hill's law grows with (phi / 2)^(1/2): 7e-4 for this step.
+  const double step = 1e-9;
+  // Next to eps = 1 Tenneti's law grows with phi^(1/3): 5e-4 for this step.
   const double allowed = 1e-3;
   for (const double slip : {0.0, 0.5, 5.0})
     for (double eps = least_drag_void_fraction; eps < 1.0; eps += 1e-3) {

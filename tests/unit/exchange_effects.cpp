@@ -60,7 +60,7 @@ TEST(effects, with_faults_are_refused_with_all_of_them_and_the_nearest_names) {
 TEST(effects, without_the_name_they_need_say_which_there_are) {
   EXPECT_EQ(faults_of({"drag", "pressure_gradient"}),
             "in.liggghts:12: \"drag\" must be followed by one of: ergun_wen_yu, koch_hill, "
-            "di_felice, gidaspow, gidaspow_blend, hill_koch_ladd, "
+            "di_felice, gidaspow, gidaspow_blend, hill_koch_ladd, beetstra, tenneti, tang, "
             "schiller_naumann.");
   EXPECT_NE(faults_of({"void_fraction"}).find("centre, offset, trilinear"), std::string::npos);
 }

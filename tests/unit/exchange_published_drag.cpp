@@ -149,6 +149,32 @@ TEST(drag_hill_koch_ladd, steps_where_its_solid_fractions_meet_as_published) {
   EXPECT_NEAR(step(0.6, 3.0), 1.0, 1e-6);
 }
 
+// Beetstra et al. (2007), eps F.
+TEST(drag_beetstra, has_the_values_of_its_source) {
+  EXPECT_NEAR(over_stokes<DragBeetstra>(0.4, 100.0), 35.91576615, 1e-7);
+  EXPECT_NEAR(over_stokes<DragBeetstra>(0.6, 10.0), 8.078554945, 1e-8);
+  EXPECT_NEAR(over_stokes<DragBeetstra>(0.9, 300.0), 16.39648552, 1e-7);
+}
+
+// Tenneti et al. (2011), eps^2 F.
+TEST(drag_tenneti, has_the_values_of_its_source) {
+  EXPECT_NEAR(over_stokes<DragTenneti>(0.5, 100.0), 20.3535391, 1e-7);
+  EXPECT_NEAR(over_stokes<DragTenneti>(0.7, 10.0), 5.746775537, 1e-8);
+  EXPECT_NEAR(over_stokes<DragTenneti>(0.9, 300.0), 10.65022817, 1e-7);
+}
+
+// Tang et al. (2015), eps F.
+TEST(drag_tang, has_the_values_of_its_source) {
+  EXPECT_NEAR(over_stokes<DragTang>(0.5, 100.0), 22.22156397, 1e-7);
+  EXPECT_NEAR(over_stokes<DragTang>(0.6, 500.0), 36.30828981, 1e-7);
+  EXPECT_NEAR(over_stokes<DragTang>(0.9, 50.0), 5.361053136, 1e-8);
+}
+
+TEST(drag_tang, has_a_constant_drag_coefficient_beyond_its_range) {
+  for (const double eps : {0.4, 0.7, 1.0})
+    EXPECT_NEAR(DragTang::inertial(eps, 4000.0) / DragTang::inertial(eps, 1000.0), 4.0, 1e-13);
+}
+
 TEST(drag_schiller_naumann, has_the_values_of_its_source) {
   EXPECT_NEAR(over_stokes<DragSchillerNaumann>(1.0, 1.0), 1.15, 1e-12);
   EXPECT_NEAR(over_stokes<DragSchillerNaumann>(1.0, 10.0), 1.729610809, 1e-8);

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "coupling/exchange/choice_list.h"
+#include "coupling/exchange/drag/beetstra.h"
 #include "coupling/exchange/drag/di_felice.h"
 #include "coupling/exchange/drag/ergun_wen_yu.h"
 #include "coupling/exchange/drag/gidaspow.h"
@@ -16,11 +17,14 @@
 #include "coupling/exchange/drag/hill_koch_ladd.h"
 #include "coupling/exchange/drag/koch_hill.h"
 #include "coupling/exchange/drag/schiller_naumann.h"
+#include "coupling/exchange/drag/tang.h"
+#include "coupling/exchange/drag/tenneti.h"
 
 namespace gasgrain {
 
-using DragModel = std::variant<DragErgunWenYu, DragKochHill, DragDiFelice, DragGidaspow,
-                               DragGidaspowBlend, DragHillKochLadd, DragSchillerNaumann>;
+using DragModel =
+    std::variant<DragErgunWenYu, DragKochHill, DragDiFelice, DragGidaspow, DragGidaspowBlend,
+                 DragHillKochLadd, DragBeetstra, DragTenneti, DragTang, DragSchillerNaumann>;
 
 // No packing of spheres is denser than 0.26; a method that puts a whole particle into one cell can
 // report less, and no law means anything there.
