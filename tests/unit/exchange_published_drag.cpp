@@ -3,9 +3,11 @@
 // d.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "coupling/exchange/drag/models.h"
+#include "coupling/exchange/drag/polydisperse.h"
 
 namespace gasgrain {
 namespace {
@@ -191,6 +193,37 @@ TEST(drag_schiller_naumann, follows_the_standard_drag_curve) {
                 re < 800.0 ? 0.06 : 0.15)
         << "Re " << re;
   }
+}
+
+// Two sizes in one bed, solid shares 0.3 and 0.7. Total force and drag of model A must be one
+// another's complement, and the pressure drop that of a bed of Sauter's mean diameter.
+TEST(drag_polydisperse, splits_the_total_force_into_drag_and_pressure_gradient) {
+  const double eps = 0.55;
+  const double phi = 1.0 - eps;
+  const std::array<double, 2> share{0.3, 0.7};
+  const std::array<double, 2> diameter{1e-3, 2.5e-3};
+  const double sauter = 1.0 / (share[0] / diameter[0] + share[1] / diameter[1]);
+  const double u = 0.7;
+  const double volume = pi / 6.0 * sauter * sauter * sauter;
+  const double drop = phi / volume * DragBeetstra::coefficient(air, eps, u, sauter) * u / eps;
+  double sum_of_total = 0.0;
+  for (int i = 0; i < 2; ++i) {
+    const double y = diameter[i] / sauter;
+    const double K = polydisperse_coefficient<DragBeetstra>(air, eps, u, diameter[i], sauter);
+    const double own_volume = pi / 6.0 * std::pow(diameter[i], 3);
+    const double total = K * u + own_volume * drop;
+    sum_of_total += share[i] * phi / own_volume * total;
+    // In units of the bed of one size, without the fitted third term.
+    const double of_one_size = DragBeetstra::coefficient(air, eps, u, sauter) * u / eps * y;
+    const double third = 0.064 * eps * y * y * y;
+    EXPECT_NEAR(total / of_one_size, polydisperse_total_factor(y, eps) - third, 1e-12);
+  }
+  EXPECT_NEAR(sum_of_total / drop, 1.0, 1e-12);
+}
+
+TEST(drag_polydisperse, leaves_a_bed_of_one_size_alone) {
+  EXPECT_EQ(polydisperse_coefficient<DragBeetstra>(air, 0.5, 0.3, d, d),
+            DragBeetstra::coefficient(air, 0.5, 0.3, d));
 }
 
 }  // namespace
