@@ -3,7 +3,9 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <numeric>
 #include <type_traits>
+#include <vector>
 
 #include "tests/exchange_cloud.h"
 #include "tests/exchange_lists.h"
@@ -26,6 +28,14 @@ TYPED_TEST_SUITE(drag, ListedTypes<DragModel>::type, ListedName);
 
 template <class Law>
 constexpr bool for_one_sphere = Law::range.eps_min > 0.98;
+
+// Drag of model A over Stokes' drag at the superficial slip.
+template <class Law>
+double over_stokes(double eps, double re) {
+  const GasProperties gas{1.0, 1.0};
+  const double slip = re / eps;
+  return Law::coefficient(gas, eps, slip, 1.0) / (eps * stokes_coefficient(gas, 1.0));
+}
 
 // K that refresh_drag() finds for one particle in a uniform gas.
 double refreshed(const DragModel& law, double eps, const Vec3& u, const Vec3& v) {
@@ -153,6 +163,42 @@ TYPED_TEST(drag, does_not_change_under_rotation) {
 TYPED_TEST(drag, takes_cells_too_dense_for_any_law_as_the_densest_bed) {
   EXPECT_EQ(refreshed(TypeParam{}, -0.3, Vec3::UnitZ(), Vec3::Zero()),
             refreshed(TypeParam{}, least_drag_void_fraction, Vec3::UnitZ(), Vec3::Zero()));
+}
+
+// phi = 0.4, where every law for beds has data. Resolved simulations differ by 6 % in creeping flow
+// and by 20 % at Re = 100 (Beetstra's being the greatest); Ergun's packed columns and Di Felice's
+// fluidized beds lie up to 40 % beside their mean. An error of one eps or of the radius for the
+// diameter is 40 to 100 %.
+TEST(drag_laws, agree_in_a_dense_bed_within_their_published_scatter) {
+  const double eps = 0.6;
+  for (const double re : {0.0, 10.0, 100.0}) {
+    const std::vector<double> resolved{
+        over_stokes<DragKochHill>(eps, re), over_stokes<DragHillKochLadd>(eps, re),
+        over_stokes<DragBeetstra>(eps, re), over_stokes<DragTenneti>(eps, re),
+        over_stokes<DragTang>(eps, re)};
+    const double mean = std::accumulate(resolved.begin(), resolved.end(), 0.0) / resolved.size();
+    for (const double f : resolved)
+      EXPECT_NEAR(f / mean, 1.0, re == 0.0 ? 0.06 : 0.2) << "Re " << re;
+    for_each_choice<DragModel>([&](auto law) {
+      using Law = decltype(law);
+      if (for_one_sphere<Law> || re == 0.0) return;
+      EXPECT_NEAR(over_stokes<Law>(eps, re) / mean, 1.0, 0.4) << law.name << ", Re " << re;
+    });
+  }
+}
+
+// Three sources share the sphere of Schiller and Naumann, the others keep their own. Koch and
+// Hill's laws have no data for it: 2.8 of Stokes' drag at Re = 100 instead of 4.5.
+TEST(drag_laws, end_in_the_drag_of_one_sphere) {
+  for (const double re : {0.1, 1.0, 10.0, 100.0}) {
+    const double sphere = over_stokes<DragSchillerNaumann>(1.0, re);
+    EXPECT_NEAR(over_stokes<DragErgunWenYu>(1.0, re) / sphere, 1.0, 1e-12) << "Re " << re;
+    EXPECT_NEAR(over_stokes<DragTenneti>(1.0, re) / sphere, 1.0, 1e-12) << "Re " << re;
+    EXPECT_NEAR(over_stokes<DragGidaspowBlend>(1.0, re) / sphere, 1.0, 0.01) << "Re " << re;
+    EXPECT_NEAR(over_stokes<DragDiFelice>(1.0, re) / sphere, 1.0, 0.2) << "Re " << re;
+    EXPECT_NEAR(over_stokes<DragTang>(1.0, re) / sphere, 1.0, 0.2) << "Re " << re;
+    EXPECT_NEAR(over_stokes<DragBeetstra>(1.0, re) / sphere, 1.0, 0.2) << "Re " << re;
+  }
 }
 
 }  // namespace
