@@ -12,13 +12,14 @@
 
 #include "coupling/exchange/choice_list.h"
 #include "coupling/exchange/void_fraction/centre.h"
+#include "coupling/exchange/void_fraction/exact.h"
 #include "coupling/exchange/void_fraction/offset.h"
 #include "coupling/exchange/void_fraction/trilinear.h"
 
 namespace gasgrain {
 
 using VoidFractionMethod =
-    std::variant<VoidFractionCentre, VoidFractionOffset, VoidFractionTrilinear>;
+    std::variant<VoidFractionCentre, VoidFractionOffset, VoidFractionTrilinear, VoidFractionExact>;
 
 // Cells beyond a particle's own cell that the method may touch: what a rank's tile is grown by.
 inline int stencil_reach(const VoidFractionMethod& method, double radius, const BoxGrid& grid) {
