@@ -92,13 +92,16 @@ struct VoidFractionExact {
       store.cut[d][n[d]] = sphere_cut(1.0);
     }
     const auto& [cut_x, cut_y, cut_z] = store.cut;
-    // The wedges of the two axes after d, the first of them running fastest.
+    // The wedges of the two axes after d, the first of them running fastest; the outermost planes
+    // touch the sphere and have none.
     for (int d = 0; d < 3; ++d) {
       const int a = (d + 1) % 3;
       const int b = (d + 2) % 3;
       double* wedge = store.wedge[d].data();
-      for (int l = 0; l <= n[b]; ++l)
-        for (int m = 0; m <= n[a]; ++m) *wedge++ = half_wedge(store.cut[a][m], store.cut[b][l]);
+      std::fill_n(wedge, (n[a] + 1) * (n[b] + 1), 0.0);
+      for (int l = 1; l < n[b]; ++l)
+        for (int m = 1; m < n[a]; ++m)
+          wedge[m + (n[a] + 1) * l] = half_wedge(store.cut[a][m], store.cut[b][l]);
     }
     double* corner = store.corner.data();
     for (int k = 0; k <= n[2]; ++k)
