@@ -1,4 +1,4 @@
-// Cost of the particle side of a coupled step: 36,500 spheres of 1.2 mm in the lower part of
+// Cost of the particle side of a coupled step: 36,500 spheres of 2.5 mm in the lower part of
 // 36 x 6 x 220 cells of 4.17 x 3.33 x 4.55 mm, every method and law of the LISTs. One core.
 #include <benchmark/benchmark.h>
 
@@ -8,6 +8,7 @@ namespace gasgrain {
 namespace {
 
 constexpr std::size_t particle_count = 36500;
+constexpr double particle_radius = 1.25e-3;
 
 struct SpoutedBed {
   BoxGrid grid;
@@ -28,7 +29,7 @@ struct SpoutedBed {
     Random random(1);
     for (std::size_t p = 0; p < particle_count; ++p)
       cloud.add(random.vector(Vec3::Zero(), Vec3(grid.hi[0], grid.hi[1], 0.2 * grid.hi[2])),
-                random.vector(1.0), cloud_radius);
+                random.vector(1.0), particle_radius);
     force.resize(3 * particle_count);
     weights.find(cloud.view(), method, frame);
     velocity = make_vector_field(frame.tile);
