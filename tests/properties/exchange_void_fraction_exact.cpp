@@ -223,6 +223,25 @@ TEST(void_fraction_exact, gives_what_lies_beyond_walls_to_the_cells_at_them) {
   EXPECT_EQ(weights_of(frame, x, 0.3 * h.minCoeff()), (std::map<Int3, double>{{{0, 0, 0}, 1.0}}));
 }
 
+// Each cell beyond a wall, were there any, would hand its share to the nearest cell of the box.
+TEST(void_fraction_exact, folds_at_walls_what_an_endless_grid_would_have_beyond) {
+  const BoxGrid walled = uneven_box({false, false, false});
+  const BoxGrid endless = uneven_box({true, true, true});
+  Random random(6);
+  for (int n = 0; n < 200; ++n) {
+    const double radius = random.between(0.1, 3.0) * walled.spacing().minCoeff();
+    const Vec3 x = random.vector(walled.lo, walled.hi);
+    std::map<Int3, double> folded;
+    for (const auto& entry : weights_of({endless, endless.all()}, x, radius)) {
+      Int3 cell = entry.first;
+      for (int d = 0; d < 3; ++d) cell[d] = std::clamp(cell[d], 0, walled.cells[d] - 1);
+      folded[cell] += entry.second;
+    }
+    for (const auto& [cell, w] : weights_of({walled, walled.all()}, x, radius)) folded[cell] -= w;
+    for (const auto& entry : folded) EXPECT_NEAR(entry.second, 0.0, round_off);
+  }
+}
+
 // A movement by a millionth of a radius moves no more than the greatest disc times that, for a
 // sphere of five cells across faces, edges and corners.
 TEST(void_fraction_exact, is_continuous_for_spheres_greater_than_cells) {
