@@ -86,6 +86,7 @@ struct GasInput {
   double bubble_void_fraction = 0.8;
 
   double output_every = 0;              // [s], 0: no snapshots
+  double checkpoint_every = 0;          // of a run alone [s], 0: at the end only
   std::vector<double> pressure_probes;  // heights z [m]
 
   [[nodiscard]] bool has_outlet() const;

@@ -47,6 +47,13 @@ void write_ledger(GasSolver& gas, const std::string& folder, const Communicator&
     fail("{}: cannot be written: {}.", name, why_not_written(name));
 }
 
+// Multiples of [output] checkpoint_every that have been reached.
+long checkpoints_due(const GasSolver& gas, const GasInput& input) {
+  constexpr double round_off = 1e-6;
+  if (input.checkpoint_every <= 0) return 0;
+  return static_cast<long>(std::floor(gas.time() / input.checkpoint_every + round_off));
+}
+
 void run_alone(const Options& options, const GasInput& input, const Communicator& comm) {
   GasSolver gas(input, comm);
   if (comm.is_root()) std::filesystem::create_directories(options.out);
@@ -66,11 +73,21 @@ void run_alone(const Options& options, const GasInput& input, const Communicator
   ClampCounts clamps;
   const double interval =
       input.output_every > 0 ? input.output_every : default_interval_steps * input.step;
-  const double round_off = 1e-9 * interval;
+  const double round_off = 1e-9 * std::min(interval, input.end);
+  if (comm.is_root() && gas.time() >= input.end - round_off)
+    progress.tell(fmt::format("nothing to do: the gas is at {} s, [time] end is {} s", gas.time(),
+                              input.end));
+  long written = checkpoints_due(gas, input);
   while (gas.time() < input.end - round_off) {
     // Intervals end at multiples of their length, so that a restarted run has the same ones.
     const double next = interval * (std::floor((gas.time() + round_off) / interval) + 1);
     const GasReport report = gas.advance(std::min(next, input.end) - gas.time());
+    // A run that goes on from a checkpoint at this time has learnt nothing either.
+    gas.forget();
+    if (checkpoints_due(gas, input) > written && gas.time() < input.end - round_off) {
+      gas.write_checkpoint(options.out + "/gas.checkpoint.h5");
+      written = checkpoints_due(gas, input);
+    }
     if (history) history->add(report);
     clamps.add(report);
     if (snapshots) snapshots->write(gas);
@@ -149,8 +166,6 @@ int parse(int argc, char** argv, Options& options) {
   app.add_option("input", options.input, "gas.toml")->required();
   app.add_option("--out", options.out, "folder for results")->capture_default_str();
   app.add_option("--restart", options.restart, "checkpoint to go on from");
-  app.add_option("--ranks", options.ranks, "with --check: number of gas ranks the grid must fit")
-      ->check(CLI::PositiveNumber);
   app.add_flag_callback(
       "--keys",
       [] {
@@ -158,7 +173,11 @@ int parse(int argc, char** argv, Options& options) {
         throw CLI::Success();
       },
       "print the keys of gas.toml with unit, range and default");
-  app.add_flag("--check", options.check, "read and check the input, run nothing");
+  CLI::Option* check =
+      app.add_flag("--check", options.check, "read and check the input, run nothing");
+  app.add_option("--ranks", options.ranks, "with --check: number of gas ranks the grid must fit")
+      ->check(CLI::Range(1, 1000000))
+      ->needs(check);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -191,6 +210,10 @@ int main(int argc, char** argv) {
       gasgrain::run(options, launch);
       status = 0;
     }
+  } catch (const std::bad_alloc&) {
+    gasgrain::stop(local,
+                   "out of memory: a cell takes 550 to 1100 bytes (docs/gas-speed.md). Take fewer "
+                   "[grid] cells, or more ranks on more machines.");
   } catch (const std::exception& e) {
     gasgrain::stop(local, e.what());
   }

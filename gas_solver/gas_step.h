@@ -102,6 +102,9 @@ class GasSolver {
   void write_checkpoint(const std::string& file);
   void read_checkpoint(const std::string& file);
 
+  // What the solvers learnt is forgotten: the next step is that of a run which begins here.
+  void forget() { projection_.forget(); }
+
   // Seconds by task: "turbulence", "momentum", "pressure", "means", "measures".
   [[nodiscard]] CostLedger& costs() { return costs_; }
 

@@ -3,16 +3,29 @@
 #include "gas_solver/io/checkpoint.h"
 
 namespace gasgrain {
+namespace {
+
+// What a run cannot change on its way.
+CheckpointChoices choices_of(const GasInput& input) {
+  return {{"[gas] law", static_cast<double>(input.law)},
+          {"[gas] model", static_cast<double>(input.model)},
+          {"[time] scheme", static_cast<double>(input.scheme)},
+          {"[turbulence] model", static_cast<double>(input.turbulence.model)}};
+}
+
+}  // namespace
 
 void GasSolver::write_checkpoint(const std::string& file) {
   projection_.forget();
   CheckpointWriter out(file, domain_);
+  out.choices(choices_of(input_));
   exchange_with(out);
   out.finish();
 }
 
 void GasSolver::read_checkpoint(const std::string& file) {
   CheckpointReader in(file, domain_);
+  in.require_choices(choices_of(input_));
   exchange_with(in);
   for (Array3<double>* field : {&state_.void_fraction, &state_.drag_coefficient, &state_.pressure,
                                 &state_.density, &state_.mass_source, &state_.drag_source[0],

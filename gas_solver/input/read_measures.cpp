@@ -9,6 +9,8 @@ void read_measures(InputTable bed, InputTable output, bool grid_known, GasInput&
   input.bubble_void_fraction =
       bed.number("bubble_void_fraction", input.bubble_void_fraction, Range::within(0, 1), "1");
   input.output_every = output.number("every", input.output_every, Range::not_negative(), "s");
+  input.checkpoint_every =
+      output.number("checkpoint_every", input.checkpoint_every, Range::not_negative(), "s");
   input.pressure_probes =
       output.numbers("pressure_probes", std::vector<double>{}, Range::any(), "m");
   if (input.pressure_probes.size() > most_pressure_probes)

@@ -65,6 +65,15 @@ void read_solver(InputTable table, GasInput& input) {
                                 {{"auto", PressureMethod::automatic},
                                  {"hypre", PressureMethod::hypre},
                                  {"fftw", PressureMethod::fftw}});
+  int axes_with_outlets = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    if (input.sides[side_of(axis, false)] == &outlet || input.sides[side_of(axis, true)] == &outlet)
+      ++axes_with_outlets;
+  if (input.pressure == PressureMethod::fftw && axes_with_outlets > 1)
+    table.fault(
+        "pressure",
+        "solver.pressure = \"fftw\" cannot solve with outlets on the sides of more than one "
+        "axis: use \"auto\" or \"hypre\".");
   input.tolerance = table.number("tolerance", input.tolerance, Range::within(1e-14, 1e-2), "1");
   input.convection = named_choice(table, "convection", input.convection,
                                   {{"upwind", Convection::upwind},
@@ -75,7 +84,7 @@ void read_solver(InputTable table, GasInput& input) {
   input.blend = table.when(input.convection == Convection::blend, "convection = \"blend\"")
                     .number("blend", input.blend, Range::within(0, 1), "1");
   input.correction_passes = table.integer("correction_passes", 0, Range::within(1, 50));
-  table.note_default("correction_passes", "1, 3 of \"crank_nicolson\"");
+  table.note_default("correction_passes", "1, 3 of \"crank_nicolson\" with the projection");
   input.pressure_velocity = named_choice(table, "pressure_velocity", input.pressure_velocity,
                                          {{"projection", PressureVelocity::projection},
                                           {"simple", PressureVelocity::simple},

@@ -60,6 +60,10 @@ CheckpointWriter::CheckpointWriter(const std::string& file, const Domain& domain
   file_->write_numbers("/", "grid", numbers_of(domain.grid()));
 }
 
+void CheckpointWriter::choices(const CheckpointChoices& made) {
+  for (const auto& [name, value] : made) file_->write_numbers("/", name, {value});
+}
+
 void CheckpointWriter::number(const std::string& name, double value) {
   file_->write_numbers("/", name, {value});
 }
@@ -110,6 +114,18 @@ CheckpointReader::CheckpointReader(const std::string& file, const Domain& domain
         file, text_of(written), text_of(numbers_of(domain.grid())));
 }
 
+void CheckpointReader::require_choices(const CheckpointChoices& made) {
+  std::string others;
+  for (const auto& [name, value] : made)
+    if (!file_->has_numbers("/", name) || file_->read_numbers("/", name).at(0) != value)
+      others += (others.empty() ? "" : ", ") + name;
+  if (!others.empty())
+    fail(
+        "{} was written with another choice of {} than this run's: restart with the one it was "
+        "written with.",
+        name_, others);
+}
+
 void CheckpointReader::number(const std::string& name, double& value) {
   value = file_->read_numbers("/", name).at(0);
 }
@@ -123,9 +139,8 @@ void CheckpointReader::flag(const std::string& name, bool& value) {
 void CheckpointReader::field(const std::string& name, int component, Array3<double>& values) {
   if (!file_->has(name))
     fail(
-        "{} has no field {}: it was written with other choices of [gas] law, [time] scheme, "
-        "[turbulence] model or [[mass_source]] than this run's. Restart with those it was written "
-        "with.",
+        "{} has no field {}: it was written without the [[mass_source]] of this run, or by another "
+        "program. Restart with the input it was written with.",
         name_, name);
   std::vector<double> part;
   const IndexBox box = share(component);

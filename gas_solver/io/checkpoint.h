@@ -5,12 +5,17 @@
 
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "gas_solver/grid/domain.h"
 
 namespace gasgrain {
 
 class ParallelFile;
+
+// Names of gas.toml with what they were, as numbers.
+using CheckpointChoices = std::vector<std::pair<std::string, double>>;
 
 // What the two have in common: the share of a field in the file.
 class CheckpointFile {
@@ -34,6 +39,7 @@ class CheckpointWriter : public CheckpointFile {
   ~CheckpointWriter();
   CheckpointWriter(const CheckpointWriter&) = delete;
   CheckpointWriter& operator=(const CheckpointWriter&) = delete;
+  void choices(const CheckpointChoices& made);
   void number(const std::string& name, double value);
   void flag(const std::string& name, bool value) { number(name, value ? 1.0 : 0.0); }
   void field(const std::string& name, int component, const Array3<double>& values);
@@ -45,6 +51,8 @@ class CheckpointReader : public CheckpointFile {
  public:
   // Throws Error when the file is of another format version or another grid.
   CheckpointReader(const std::string& file, const Domain& domain);
+  // Throws Error, which names them, when the file was written with other choices.
+  void require_choices(const CheckpointChoices& made);
   void number(const std::string& name, double& value);
   void flag(const std::string& name, bool& value);
   void field(const std::string& name, int component, Array3<double>& values);

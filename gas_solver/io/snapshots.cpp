@@ -42,6 +42,15 @@ std::string geometry(const BoxGrid& grid) {
       h[2], h[1], h[0]);
 }
 
+// What a group has of the fields that a run may write.
+std::vector<std::string> scalars_of(const ParallelFile& file, const std::string& group) {
+  std::vector<std::string> names;
+  for (const char* name :
+       {"void_fraction", "pressure", "density", "viscosity", "turbulence_k", "turbulence_epsilon"})
+    if (file.has(fmt::format("{}/{}", group, name))) names.emplace_back(name);
+  return names;
+}
+
 }  // namespace
 
 Snapshots::Snapshots(const std::string& folder, const Domain& domain, double restart_time)
@@ -51,7 +60,17 @@ Snapshots::Snapshots(const std::string& folder, const Domain& domain, double res
       domain.comm().max(std::filesystem::exists(name) ? 1.0 : 0.0) > 0 && restart_time >= 0;
   file_ = std::make_unique<ParallelFile>(
       name, there ? ParallelFile::Mode::append : ParallelFile::Mode::create, domain.comm());
-  if (!there) return;
+  const Int3& cells = domain.grid().cells;
+  const std::vector<double> shape{1.0 * cells[0], 1.0 * cells[1], 1.0 * cells[2]};
+  if (!there) {
+    file_->write_numbers("/", "cells", shape);
+    return;
+  }
+  if (!file_->has_numbers("/", "cells") || file_->read_numbers("/", "cells") != shape)
+    fail(
+        "{} holds snapshots of another grid than {} x {} x {} cells: give the run a folder of its "
+        "own, or move the file away.",
+        name, cells[0], cells[1], cells[2]);
   for (const std::string& group : file_->groups()) {
     // One without a time was not finished.
     const bool whole = file_->has_numbers(group, "time");
@@ -59,14 +78,14 @@ Snapshots::Snapshots(const std::string& folder, const Domain& domain, double res
     if (!whole || time > restart_time)
       file_->remove(group);
     else
-      times_.push_back(time);
+      snapshots_.push_back({time, scalars_of(*file_, group)});
   }
 }
 
 Snapshots::~Snapshots() = default;
 
 void Snapshots::write(const GasSolver& gas) {
-  const std::string group = group_name(times_.size());
+  const std::string group = group_name(snapshots_.size());
   const IndexBox own = domain_.own();
   const FilePart scalar{domain_.grid().cells, own, 1};
   const auto write_scalar = [&](const std::string& name, const Array3<double>& field) {
@@ -75,12 +94,12 @@ void Snapshots::write(const GasSolver& gas) {
   file_->make_group(group);
   write_scalar("void_fraction", gas.void_fraction());
   write_scalar("pressure", gas.pressure());
-  scalars_ = {"void_fraction", "pressure"};
+  std::vector<std::string> scalars{"void_fraction", "pressure"};
   for (const auto& [name, field] : gas.further_fields()) {
     Array3<double> inside(own);
     for_each_cell(own, [&, &of = *field](int i, int j, int k) { inside(i, j, k) = of(i, j, k); });
     write_scalar(name, inside);
-    scalars_.push_back(name);
+    scalars.push_back(name);
   }
   const CellVector velocity = gas.cell_velocity();
   std::vector<double> vectors;
@@ -90,7 +109,7 @@ void Snapshots::write(const GasSolver& gas) {
   file_->write(group + "/velocity", {domain_.grid().cells, own, 3}, vectors);
   file_->write_numbers(group, "time", {gas.time()});
   file_->flush();
-  times_.push_back(gas.time());
+  snapshots_.push_back({gas.time(), scalars});
   if (domain_.comm().is_root()) write_xdmf();
 }
 
@@ -101,11 +120,12 @@ void Snapshots::write_xdmf() const {
     std::ofstream out(name + ".new");
     out << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n  <Domain>\n"
            "    <Grid Name=\"gas\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
-    for (std::size_t n = 0; n < times_.size(); ++n) {
+    for (std::size_t n = 0; n < snapshots_.size(); ++n) {
       out << fmt::format("      <Grid Name=\"{}\">\n        <Time Value=\"{:.12g}\"/>\n",
-                         group_name(n), times_[n])
+                         group_name(n), snapshots_[n].time)
           << geometry(domain_.grid());
-      for (const std::string& scalar : scalars_) out << attribute(cells, 1, group_name(n), scalar);
+      for (const std::string& scalar : snapshots_[n].scalars)
+        out << attribute(cells, 1, group_name(n), scalar);
       out << attribute(cells, 3, group_name(n), "velocity") << "      </Grid>\n";
     }
     out << "    </Grid>\n  </Domain>\n</Xdmf>\n";

@@ -16,7 +16,7 @@ class ParallelFile;
 class Snapshots {
  public:
   // A new file; with `restart_time` (>= 0) one that is there is gone on with, snapshots after that
-  // time being dropped.
+  // time being dropped. Throws Error when it holds another grid.
   Snapshots(const std::string& folder, const Domain& domain, double restart_time = -1);
   ~Snapshots();
 
@@ -29,8 +29,11 @@ class Snapshots {
   std::string folder_;
   const Domain& domain_;
   std::unique_ptr<ParallelFile> file_;
-  std::vector<std::string> scalars_;  // the fields of a snapshot, but the velocity
-  std::vector<double> times_;
+  struct Snapshot {
+    double time;
+    std::vector<std::string> scalars;  // its fields, but the velocity
+  };
+  std::vector<Snapshot> snapshots_;
 };
 
 }  // namespace gasgrain

@@ -96,6 +96,8 @@ TurbulenceReport KEpsilon::update(const GasState& state, double step,
                                   const std::vector<InflowFace>& inflow) {
   TurbulenceReport report;
   density_ = quantity(state.density, constant_density_);
+  // The projection has changed it since the last step.
+  if (state.density.size() > 0) set_viscosity();
   inflow_.update(inflow);
   set_rates(state);
   set_rates_at_walls(state);
@@ -158,15 +160,13 @@ void KEpsilon::set_conductance(const GasState& state, double sigma) {
 
 // What follows from k and e, and their layers.
 void KEpsilon::close(TurbulenceReport& report) {
-  const double greatest = molecular_ > 0 ? greatest_viscosity_ratio * molecular_
-                                         : std::numeric_limits<double>::infinity();
   std::vector<double> counts(2, 0.0);
   for_each_cell(domain_.own(), [&](int i, int j, int k) {
     const auto o = k_.offset(i, j, k);
     counts[0] += (k_[o] < least_k ? 1 : 0) + (e_[o] < least_e ? 1 : 0);
     k_[o] = std::max(k_[o], least_k);
     e_[o] = std::max(e_[o], least_e);
-    if (eddy_viscosity(density(o), k_[o], e_[o]) > greatest) ++counts[1];
+    if (eddy_viscosity(density(o), k_[o], e_[o]) > greatest_viscosity()) ++counts[1];
   });
   domain_.comm().sum_in_place(counts);
   report.floored += std::lround(counts[0]);
@@ -174,6 +174,16 @@ void KEpsilon::close(TurbulenceReport& report) {
   halo_.exchange({&k_, &e_});
   fill_ghost_cells(domain_, k_);
   fill_ghost_cells(domain_, e_);
+  set_viscosity();
+}
+
+double KEpsilon::greatest_viscosity() const {
+  return molecular_ > 0 ? greatest_viscosity_ratio * molecular_
+                        : std::numeric_limits<double>::infinity();
+}
+
+void KEpsilon::set_viscosity() {
+  const double greatest = greatest_viscosity();
   for (std::size_t n = 0; n < viscosity_.size(); ++n)
     viscosity_[n] =
         molecular_ +

@@ -73,6 +73,9 @@ class KEpsilon {
     return std::visit([&](const auto& rho) { return rho(cell); }, density_);
   }
   void close(TurbulenceReport& report);
+  // mu_t and the wall law's coefficients, from k, e and the density.
+  void set_viscosity();
+  [[nodiscard]] double greatest_viscosity() const;  // of eddies [Pa s]
 
   const Domain& domain_;
   Halo& halo_;

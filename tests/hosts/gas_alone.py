@@ -42,13 +42,13 @@ class Run:
         shutil.rmtree(self.folder, ignore_errors=True)
 
     def gas(self, *options, ranks=1, end=0.02, every=0.0, cells="[8, 8, 16]", blocks=None,
-            preload="", timeout=60):
+            preload="", timeout=60, more=""):
         """(exit status, everything printed, seconds). `blocks`: limit of a file's size, of 512 B;
-        `preload`: a library that stands before the system's."""
+        `preload`: a library that stands before the system's; `more`: of gas.toml, after [output]."""
         text = GAS
         for mark, value in {"end": end, "every": every, "cells": cells}.items():
             text = text.replace(f"@{mark}@", str(value))
-        (self.folder / "gas.toml").write_text(text)
+        (self.folder / "gas.toml").write_text(text + more)
         limit = f"ulimit -f {blocks}; " if blocks else ""
         limit += f"export LD_PRELOAD={preload}; " if preload else ""
         # Only the ranks are limited, and not their shared memory, which is files too.
