@@ -7,6 +7,16 @@
 namespace gasgrain {
 namespace {
 
+IndexBox all_faces(const BoxGrid& grid, int side) {
+  IndexBox faces = grid.all();
+  const int axis = axis_of(side);
+  faces.lo[axis] = is_high(side) ? grid.cells[axis] : 0;
+  faces.hi[axis] = faces.lo[axis] + 1;
+  return faces;
+}
+
+}  // namespace
+
 Rectangle face_rectangle(const BoxGrid& grid, int side, const Int3& face) {
   const auto plane = plane_axes(axis_of(side));
   const Vec3 h = grid.spacing();
@@ -18,16 +28,6 @@ Rectangle face_rectangle(const BoxGrid& grid, int side, const Int3& face) {
   }
   return r;
 }
-
-IndexBox all_faces(const BoxGrid& grid, int side) {
-  IndexBox faces = grid.all();
-  const int axis = axis_of(side);
-  faces.lo[axis] = is_high(side) ? grid.cells[axis] : 0;
-  faces.hi[axis] = faces.lo[axis] + 1;
-  return faces;
-}
-
-}  // namespace
 
 Rectangle side_rectangle(const BoxGrid& grid, int side) {
   const auto plane = plane_axes(axis_of(side));
@@ -78,9 +78,7 @@ const std::vector<InflowFace>& Inflow::at(double time, const Array3<double>& den
       const auto o = density.offset(face.face[0], face.face[1], face.face[2]);
       rho = density[o + inner_cell_offset(face.side, density.stride(axis_of(face.side)))];
     }
-    const double full =
-        patch.mass_flow > 0 ? patch.mass_flow / (rho * patch.outline.area()) : patch.velocity;
-    const double velocity = full * patch.factor(time);
+    const double velocity = patch.full_velocity(rho) * patch.factor(time);
     face.volume_flux += part.fraction * velocity;
     face.mass_flux += part.fraction * rho * velocity;
     face.momentum_flux += part.fraction * rho * velocity * velocity;

@@ -32,6 +32,10 @@ struct InflowPatch {
 
   // What ramp or table make of the strength at a time.
   [[nodiscard]] double factor(double time) const;
+  // Before the factor, of gas of a density [kg/m3]: [m/s].
+  [[nodiscard]] double full_velocity(double density) const {
+    return mass_flow > 0 ? mass_flow / (density * outline.area()) : velocity;
+  }
 };
 
 // What the patches bring through one face.
@@ -69,5 +73,6 @@ class Inflow {
 
 // The outline of a whole side, and of a face of it.
 Rectangle side_rectangle(const BoxGrid& grid, int side);
+Rectangle face_rectangle(const BoxGrid& grid, int side, const Int3& face);
 
 }  // namespace gasgrain

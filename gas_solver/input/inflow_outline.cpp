@@ -42,8 +42,8 @@ bool contains(const Rectangle& outer, const Rectangle& inner) {
 
 std::string extent_text(const Rectangle& r, int side) {
   const auto plane = plane_axes(axis_of(side));
-  return fmt::format("{} {} to {}, {} {} to {} m", "xyz"[plane[0]], r.lo[0], r.hi[0],
-                     "xyz"[plane[1]], r.lo[1], r.hi[1]);
+  return fmt::format("{} {:.6g} to {:.6g}, {} {:.6g} to {:.6g} m", "xyz"[plane[0]], r.lo[0],
+                     r.hi[0], "xyz"[plane[1]], r.lo[1], r.hi[1]);
 }
 
 }  // namespace gasgrain

@@ -18,7 +18,7 @@ void read_strength(InputTable& table, double density, InflowPatch& patch) {
   patch.mass_flow = table.number("mass_flow", 0.0, Range::not_negative(), "kg/s");
   for (const char* key : {"velocity", "mass_flow"})
     table.note_default(key, "one of `velocity`, `mass_flow` is required");
-  if (by_mass) patch.velocity = patch.mass_flow / (density * patch.outline.area());
+  if (by_mass) patch.velocity = patch.full_velocity(density);
 }
 
 void read_course(InputTable& table, InflowPatch& patch) {

@@ -68,7 +68,6 @@ void Predictor::pass(GasState& state, const MomentumStep& step, const CellVector
       halo_.exchange({&solution_[d]});
       Change last = sweep(d, false);
       halo_.exchange({&solution_[d]});
-      ++report.sweeps;
       std::vector<double> sums{last.change, last.squares};
       domain_.comm().sum_in_place(sums);
       const double change = std::sqrt(sums[0]);

@@ -17,7 +17,6 @@
 namespace gasgrain {
 
 struct MomentumReport {
-  int sweeps = 0;         // pairs, all components and passes
   int not_converged = 0;  // components that used all sweeps
 };
 

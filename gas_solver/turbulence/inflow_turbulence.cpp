@@ -37,23 +37,7 @@ double least_distance(const BoxGrid& grid) {
   return least < none ? least : (grid.hi - grid.lo).minCoeff();
 }
 
-double velocity_of(const InflowPatch& patch, double density) {
-  return patch.mass_flow > 0 ? patch.mass_flow / (density * patch.outline.area()) : patch.velocity;
-}
-
 }  // namespace
-
-Rectangle face_outline(const BoxGrid& grid, int side, const Int3& face) {
-  const auto plane = plane_axes(axis_of(side));
-  const Vec3 h = grid.spacing();
-  Rectangle r;
-  for (int n = 0; n < 2; ++n) {
-    const int axis = plane[n];
-    r.lo[n] = grid.lo[axis] + face[axis] * h[axis];
-    r.hi[n] = grid.lo[axis] + (face[axis] + 1) * h[axis];
-  }
-  return r;
-}
 
 InflowTurbulence::InflowTurbulence(const GasInput& input)
     : grid_(input.grid), choice_(input.turbulence), patches_(input.inflows) {
@@ -61,7 +45,7 @@ InflowTurbulence::InflowTurbulence(const GasInput& input)
   const double diffusivity = ambient_viscosity_ratio * input.viscosity / input.density;
   double rate = 0;
   for (const InflowPatch& patch : patches_)
-    rate = std::max(rate, velocity_of(patch, input.density) / hydraulic_diameter(grid_, patch));
+    rate = std::max(rate, patch.full_velocity(input.density) / hydraulic_diameter(grid_, patch));
   if (rate == 0) {
     // mu_t = rho C_mu k / rate and rate = C_mu^(3/4) k^(1/2) / l
     const double length = length_per_diameter * least_distance(grid_);
@@ -90,7 +74,7 @@ void InflowTurbulence::update(const std::vector<InflowFace>& faces) {
 // Of the patch that covers most of the face.
 double InflowTurbulence::length_at(const InflowFace& face) const {
   if (choice_.length_scale > 0) return choice_.length_scale;
-  const Rectangle outline = face_outline(grid_, face.side, face.face);
+  const Rectangle outline = face_rectangle(grid_, face.side, face.face);
   double most = 0;
   double diameter = least_distance(grid_);
   for (const InflowPatch& patch : patches_) {

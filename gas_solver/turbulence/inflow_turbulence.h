@@ -48,7 +48,4 @@ class InflowTurbulence {
   std::vector<double> e_;
 };
 
-// Outline of a face of a side.
-Rectangle face_outline(const BoxGrid& grid, int side, const Int3& face);
-
 }  // namespace gasgrain

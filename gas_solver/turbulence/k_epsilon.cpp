@@ -29,7 +29,6 @@ double squared_slip(const CellVector& velocity, const WallSide& wall, std::ptrdi
 }
 
 void add(const ScalarReport& equation, TurbulenceReport& report) {
-  report.sweeps += equation.sweeps;
   report.not_converged += equation.converged ? 0 : 1;
 }
 

@@ -6,7 +6,6 @@ namespace gasgrain {
 struct TurbulenceReport {
   long floored = 0;        // values of k or e raised to the least one
   long capped = 0;         // cells whose mu_t was cut to the greatest
-  int sweeps = 0;          // pairs, both equations
   long not_converged = 0;  // equations that used all sweeps
 };
 

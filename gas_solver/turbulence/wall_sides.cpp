@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "coupling/base/error.h"
-#include "gas_solver/turbulence/inflow_turbulence.h"
+#include "gas_solver/boundary/inflow.h"
 
 namespace gasgrain {
 namespace {
@@ -18,7 +18,7 @@ Int3 inside(const BoxGrid& grid, Int3 cell) {
 }
 
 bool has_inflow(const GasInput& input, int side, const Int3& cell) {
-  const Rectangle outline = face_outline(input.grid, side, cell);
+  const Rectangle outline = face_rectangle(input.grid, side, cell);
   return std::any_of(input.inflows.begin(), input.inflows.end(), [&](const InflowPatch& patch) {
     return patch.side == side && common_area(patch.outline, outline) > 0;
   });
