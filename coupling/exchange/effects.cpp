@@ -14,7 +14,7 @@ const std::string drag_word = "drag";
 const std::string method_word = "void_fraction";
 
 std::vector<std::string> known_words() {
-  std::vector<std::string> words = choice_names<SteadyForce>();
+  std::vector<std::string> words = choice_names<Force>();
   words.insert(words.begin(), {drag_word, method_word});
   return words;
 }
@@ -55,7 +55,7 @@ class EffectsParser {
   }
 
   void read_force(const std::string& word) {
-    const auto force = choice_named<SteadyForce>(word);
+    const auto force = choice_named<Force>(word);
     if (!force)
       fault("the effect \"{}\" is unknown.{}", word, suggestion(word, known_words()));
     else if (is_new(word))

@@ -21,7 +21,7 @@ namespace gasgrain {
 struct Effects {
   VoidFractionMethod method = VoidFractionTrilinear{};
   std::optional<DragModel> drag;
-  std::vector<SteadyForce> forces;  // in the order of the scene, none twice
+  std::vector<Force> forces;  // in the order of the scene, none twice
 
   // Fields that the gas must lend for these effects, and fields that it must take.
   [[nodiscard]] FieldSet lent() const;

@@ -37,16 +37,17 @@ AppliedDrag apply(const ParticleView& particles, ExchangeRecord* records, double
 }
 
 // Adds one steady force to the records; returns the sum of its absolute components [N].
-template <class Force>
+template <class Steady>
 double add_steady(const ParticleView& particles, const ParticleWeights& weights,
                   const LentFields& lent, ExchangeRecord* records) {
-  static_assert(Force::lent().bits() == FieldSet().add(GasField::pressure_gradient).bits(),
+  static_assert(Steady::lent().bits() == FieldSet().add(GasField::pressure_gradient).bits(),
                 "a steady force that needs another field must have it sampled here");
   double magnitude = 0.0;
   weights.sample(required(lent.pressure_gradient, GasField::pressure_gradient),
                  [&](std::size_t p, const Vec3& gradient) {
-                   const GasAtParticle gas{gradient};
-                   const Vec3 force = Force::force(gas, particles.radius[p]);
+                   GasAtParticle at;
+                   at.pressure_gradient = gradient;
+                   const Vec3 force = Steady::force(GasProperties{}, at, particles.radius[p]);
                    as_vec3(records[p].steady_force) += force;
                    magnitude += force.lpNorm<1>();
                  });

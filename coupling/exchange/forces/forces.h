@@ -1,7 +1,12 @@
-// The LIST of steady forces: those of the gas on a particle that do not depend on the particle's
-// velocity, and so hold for a whole coupling interval. A new one is a header beside the others and
-// a line here. A force is a struct with `name`, `lent()`, the gas fields it needs, and
-//   static Vec3 force(const GasAtParticle&, double radius)   [N]
+// The LIST of forces of the gas on a particle, drag aside (drag/models.h). A new one is a header
+// beside the others and a line here; the property tests then cover it.
+//
+// A force is a struct with
+//   name        the word that switches it on in a scene
+//   kind        what it depends on, and so when it is evaluated (ForceKind)
+//   reacts      true: the gas loses the impulse that the particle takes
+//   lent()      the gas fields it needs
+// and the function that its kind asks for.
 #pragma once
 
 #include <variant>
@@ -11,6 +16,6 @@
 
 namespace gasgrain {
 
-using SteadyForce = std::variant<ForcePressureGradient>;
+using Force = std::variant<ForcePressureGradient>;
 
 }  // namespace gasgrain

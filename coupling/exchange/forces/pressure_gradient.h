@@ -14,6 +14,8 @@
 #include <string_view>
 
 #include "coupling/base/vec3.h"
+#include "coupling/exchange/drag/basis.h"
+#include "coupling/exchange/forces/force_kind.h"
 #include "coupling/exchange/forces/gas_at_particle.h"
 #include "coupling/exchange/sphere.h"
 
@@ -21,11 +23,13 @@ namespace gasgrain {
 
 struct ForcePressureGradient {
   static constexpr std::string_view name = "pressure_gradient";
+  static constexpr ForceKind kind = ForceKind::steady;
+  static constexpr bool reacts = false;
 
   static constexpr FieldSet lent() { return FieldSet().add(GasField::pressure_gradient); }
 
-  static Vec3 force(const GasAtParticle& gas, double radius) {
-    return -sphere_volume(radius) * gas.pressure_gradient;
+  static Vec3 force(const GasProperties& /*gas*/, const GasAtParticle& at, double radius) {
+    return -sphere_volume(radius) * at.pressure_gradient;
   }
 };
 
