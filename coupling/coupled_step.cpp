@@ -38,10 +38,6 @@ BoxGrid grid_of(const GasHello& gas) {
   return grid;
 }
 
-void append(FieldList& list, VectorField& field) {
-  for (auto& component : field) list.push_back(&component);
-}
-
 }  // namespace
 
 CoupledStep::CoupledStep(const Communicator& local, MPI_Comm partner, const Effects& effects,
@@ -49,8 +45,11 @@ CoupledStep::CoupledStep(const Communicator& local, MPI_Comm partner, const Effe
     : local_(local),
       partner_(partner),
       effects_(effects),
+      overlapped_(scene.overlapped),
       gas_(meet(local, partner, effects, scene)),
+      properties_{gas_.density, gas_.viscosity, gas_.whole_pressure_gradient != 0},
       frame_{grid_of(gas_), {}},
+      forces_(effects, properties_),
       ledger_(effects),
       cost_deposit_(costs_.task("coupling: void fraction")),
       cost_drag_(costs_.task("coupling: drag law")),
@@ -61,7 +60,9 @@ CoupledStep::CoupledStep(const Communicator& local, MPI_Comm partner, const Effe
 
 IndexBox CoupledStep::tile_of(const DemRegion& region) const {
   const BoxGrid& grid = frame_.grid;
-  const int reach = stencil_reach(effects_.method, region.largest_radius, grid);
+  // Overlapped, particles are met again where they were an interval ago.
+  const int reach =
+      stencil_reach(effects_.method, region.largest_radius, grid) + (overlapped_ ? 1 : 0);
   IndexBox tile;
   for (int d = 0; d < 3; ++d) {
     tile.lo[d] = grid.cell_of(region.lo[d] - region.drift, d) - reach;
@@ -75,110 +76,158 @@ IndexBox CoupledStep::tile_of(const DemRegion& region) const {
 
 void CoupledStep::make_tile(const IndexBox& tile) {
   frame_.tile = tile;
-  solid_volume_ = Array3<double>(tile);
-  void_fraction_ = Array3<double>(tile, 1.0);
-  const FieldSet used = effects_.lent().united(effects_.taken());
-  if (used.has(GasField::drag_coefficient)) drag_coefficient_ = Array3<double>(tile);
-  if (used.has(GasField::drag_source)) drag_source_ = make_vector_field(tile);
-  if (used.has(GasField::velocity)) velocity_ = make_vector_field(tile);
-  if (used.has(GasField::pressure_gradient)) pressure_gradient_ = make_vector_field(tile);
+  fields_ = FieldStore(effects_.lent().united(effects_.taken()), tile);
+  bytes_ += transport_.take_bytes();
   transport_ = RouteTransport(
       partner_, make_routes(frame_.grid, tile, swap_boxes(partner_, tile), false), false);
-}
-
-FieldList CoupledStep::lent_fields() {
-  FieldList list;
-  if (effects_.lent().has(GasField::velocity)) append(list, velocity_);
-  if (effects_.lent().has(GasField::pressure_gradient)) append(list, pressure_gradient_);
-  return list;
 }
 
 // Carry that left with removed particles: what was taken and expected on all ranks less what the
 // particles that are still there know of. (Particles that changed ranks cancel in the sum of
 // ranks.)
-void CoupledStep::settle(const ParticleView& particles, const ExchangeRecord* records) {
-  ledger_.add_left(taken_in_interval_ - expected_in_interval_ -
-                   outstanding_carry(particles.count, records));
-  taken_in_interval_.setZero();
-  expected_in_interval_.setZero();
+void CoupledStep::settle(const ParticleView& particles, const ExchangeRecords& records) {
+  const Vec3 outstanding = outstanding_carry(particles.count, records);
+  ledger_.add_left(forces_.applied().reacting - expected_in_interval_ - outstanding);
+  ledger_.add_taken(forces_.applied());
+  forces_.clear();
+  expected_in_interval_ = -outstanding;
 }
 
-Report CoupledStep::begin(const ParticleView& particles, const DemRegion& region,
-                          ExchangeRecord* records, double interval, long step, double time) {
+void CoupledStep::begin(const ParticleView& particles, const DemRegion& region,
+                        ExchangeRecords& records, double interval, long step, double time) {
+  complete(particles, records);
+  settle(particles, records);
   const IndexBox tile = tile_of(region);
   const bool fresh = local_.max(tile != frame_.tile || !met_before_ ? 1.0 : 0.0) > 0.0;
   met_before_ = true;
-  settle(particles, records);
 
   Command command;
   command.kind = CommandKind::couple;
   command.fresh = fresh ? 1 : 0;
   command.step = step;
   command.time = time;
-  command.interval = interval;
+  command.interval = interval_ = interval;
   send_command(local_, partner_, command);
   if (fresh) make_tile(tile);
-  {
-    const Stopwatch watch(costs_, cost_deposit_);
-    weights_.find(particles, effects_.method, frame_);
-    clamps_.beyond_walls += static_cast<long>(weights_.beyond_walls());
-    solid_volume_.fill(0.0);
-    deposit_solid_volume(particles, weights_, solid_volume_);
-  }
-  {
-    const Stopwatch watch(costs_, cost_transport_);
-    transport_.send({&solid_volume_}, solids_tag);
-    FieldList back;
-    if (effects_.lent().has(GasField::void_fraction)) back.push_back(&void_fraction_);
-    if (fresh && effects_.lent().has(GasField::velocity)) append(back, velocity_);
-    if (!back.empty()) transport_.receive(back, lent_tag);
-  }
-  if (effects_.drag) {
-    {
-      const Stopwatch watch(costs_, cost_drag_);
-      const DragRefresh met = refresh_drag(
-          particles, weights_, *effects_.drag,
-          GasProperties{gas_.density, gas_.viscosity, gas_.whole_pressure_gradient != 0},
-          void_fraction_, velocity_, records);
-      clamps_.too_dense += static_cast<long>(met.too_dense);
-      drag_coefficient_.fill(0.0);
-      for (auto& component : drag_source_) component.fill(0.0);
-      deposit_drag(particles, weights_, records, frame_.grid.cell_volume(), interval,
-                   drag_coefficient_, drag_source_);
+  deposit(particles);
+  exchange_solids(fresh);
+  charge_gas(particles, records);
+  answer_to_come_ = true;
+  if (!overlapped_) {
+    receive_answer();
+    book_expected(particles, weights_, effects_, fields_, interval_, records);
+    expected_in_interval_ = -outstanding_carry(particles.count, records);
+  } else {
+    for (std::size_t p = 0; p < particles.count; ++p) {
+      records.at(p, records.layout().position) = particles.x(p);
+      records.at(p, records.layout().velocity) = particles.v(p);
     }
-    const Stopwatch watch(costs_, cost_transport_);
-    FieldList taken{&drag_coefficient_};
-    append(taken, drag_source_);
-    transport_.send(taken, drag_tag);
-  }
-  Report report;
-  {
-    const Stopwatch watch(costs_, cost_wait_);
-    const FieldList lent = lent_fields();
-    if (!lent.empty()) transport_.receive(lent, lent_tag);
-    report = receive_report(local_, partner_);
   }
   const Stopwatch watch(costs_, cost_sample_);
-  const LentFields lent{
-      effects_.lent().has(GasField::velocity) ? &velocity_ : nullptr,
-      effects_.lent().has(GasField::pressure_gradient) ? &pressure_gradient_ : nullptr};
-  ledger_.add_steady_work(set_records(particles, weights_, effects_, lent, interval, records));
-  expected_in_interval_ = -outstanding_carry(particles.count, records);
-  if (local_.is_root())
-    ledger_.add_given(Vec3(report.drag_impulse[0], report.drag_impulse[1], report.drag_impulse[2]));
-  return report;
+  ledger_.add_work(set_gas_at_particles(particles, weights_, effects_, properties_, fields_,
+                                        interval_, records));
 }
 
-void CoupledStep::apply(const ParticleView& particles, ExchangeRecord* records, double* force,
-                        double dt) {
+void CoupledStep::deposit(const ParticleView& particles) {
+  const Stopwatch watch(costs_, cost_deposit_);
+  weights_.find(particles, effects_.method, frame_);
+  clamps_.beyond_walls += static_cast<long>(weights_.beyond_walls());
+  for (Array3<double>* field : fields_.components(effects_.taken())) field->fill(0.0);
+  deposit_solids(particles, weights_, effects_, fields_);
+}
+
+// Where the tile is new the gas lends what it last had.
+void CoupledStep::exchange_solids(bool fresh) {
+  const Stopwatch watch(costs_, cost_transport_);
+  const FieldSet lent = effects_.lent();
+  transport_.send(fields_.components(effects_.taken().common(taken_early)), solids_tag);
+  const FieldList back = fields_.components(fresh ? lent : lent.common(lent_early));
+  if (!back.empty()) transport_.receive(back, lent_tag);
+}
+
+void CoupledStep::charge_gas(const ParticleView& particles, ExchangeRecords& records) {
+  if (!effects_.any_reacts()) return;
+  {
+    const Stopwatch watch(costs_, cost_drag_);
+    if (effects_.drag)
+      clamps_.too_dense += static_cast<long>(
+          refresh_drag(particles, weights_, effects_, properties_, fields_, records).too_dense);
+    deposit_drag(particles, weights_, effects_, frame_.grid.cell_volume(), interval_, fields_,
+                 records);
+  }
+  const Stopwatch watch(costs_, cost_transport_);
+  transport_.send(fields_.components(effects_.taken().without(taken_early)), drag_tag);
+}
+
+void CoupledStep::receive_answer() {
+  const Stopwatch watch(costs_, cost_wait_);
+  const FieldList late = fields_.components(effects_.lent().without(lent_early));
+  if (!late.empty()) transport_.receive(late, lent_tag);
+  report_ = receive_report(local_, partner_);
+  answer_to_come_ = false;
+  if (local_.is_root())
+    ledger_.add_given(
+        Vec3(report_.drag_impulse[0], report_.drag_impulse[1], report_.drag_impulse[2]));
+}
+
+void CoupledStep::complete(const ParticleView& particles, ExchangeRecords& records) {
+  if (!answer_to_come_) return;
+  receive_answer();
+  if (effects_.any_reacts()) book_where_charged(particles, records);
+}
+
+// The gas answered for particles where they were at the coupling; some of them are on other ranks
+// now, or gone. What the cells were charged with counts for all of them.
+void CoupledStep::book_where_charged(const ParticleView& particles, ExchangeRecords& records) {
+  const RecordLayout& layout = records.layout();
+  std::vector<double> positions(3 * particles.count);
+  std::vector<double> velocities(3 * particles.count);
+  for (std::size_t p = 0; p < particles.count; ++p)
+    for (int d = 0; d < 3; ++d) {
+      double x = records.at(p, layout.position)[d];
+      // Of the images of where it was, that beside where it is.
+      const double period = frame_.grid.hi[d] - frame_.grid.lo[d];
+      if (frame_.grid.periodic[d]) x += period * std::round((particles.x(p)[d] - x) / period);
+      positions[3 * p + d] = x;
+      velocities[3 * p + d] = records.at(p, layout.velocity)[d];
+    }
+  ParticleView then = particles;
+  then.position = positions.data();
+  then.velocity = velocities.data();
+  weights_.find(then, effects_.method, frame_);
+  book_expected(then, weights_, effects_, fields_, interval_, records);
+  // In scheme 1 the gas is not charged with what is owed.
+  const bool charged_with_carry = !effects_.by_mean_velocity() || !effects_.own_drag();
+  expected_in_interval_ =
+      charged_to_gas() + (charged_with_carry ? expected_in_interval_ : Vec3::Zero());
+}
+
+// V sum (K u - S) interval over the tile [N s].
+Vec3 CoupledStep::charged_to_gas() const {
+  Vec3 sum = Vec3::Zero();
+  const VectorField& source = fields_.vector(GasField::drag_source);
+  for (int d = 0; d < 3; ++d) {
+    for (const double s : source[d]) sum[d] -= s;
+    if (!effects_.drag) continue;
+    const Array3<double>& K = fields_.scalar(GasField::drag_coefficient);
+    const Array3<double>& u = fields_.vector(GasField::velocity)[d];
+    for (std::size_t n = 0; n < K.size(); ++n) sum[d] += K[n] * u[n];
+  }
+  return sum * frame_.grid.cell_volume() * interval_;
+}
+
+void CoupledStep::apply(const ParticleView& particles, ExchangeRecords& records,
+                        const HostForces& host, double dt, double share) {
   const Stopwatch watch(costs_, cost_forces_);
-  const AppliedDrag applied = apply_forces(particles, effects_, records, force, dt);
-  taken_in_interval_ += applied.impulse;
-  ledger_.add_taken(applied);
+  forces_.apply(particles, records, host, dt, share);
 }
 
 CoupledStep::Clamps CoupledStep::take_clamps() {
   return std::exchange(clamps_, Clamps{});
+}
+
+long CoupledStep::take_bytes() {
+  return std::exchange(bytes_, 0) + transport_.take_bytes();
 }
 
 void CoupledStep::checkpoint(long step) {
@@ -194,21 +243,23 @@ void CoupledStep::finish() {
 }
 
 Ledger CoupledStep::whole_ledger(const ParticleView& particles,
-                                 const ExchangeRecord* records) const {
+                                 const ExchangeRecords& records) const {
   Ledger whole = ledger_;
   const Vec3 outstanding = outstanding_carry(particles.count, records);
   whole.set_outstanding(outstanding);
+  whole.add_taken(forces_.applied());
   // Of grains removed since the last coupling.
-  whole.add_left(taken_in_interval_ - expected_in_interval_ - outstanding);
+  whole.add_left(forces_.applied().reacting - expected_in_interval_ - outstanding);
   std::vector<double> values = whole.values();
   local_.sum_in_place(values);
   whole.set_values(values);
   return whole;
 }
 
-void CoupledStep::resume(const ParticleView& particles, const ExchangeRecord* records,
-                         const std::vector<double>& ledger_values) {
+void CoupledStep::resume(const ParticleView& particles, const ExchangeRecords& records,
+                         const std::vector<double>& ledger_values, const Report& last) {
   if (local_.is_root()) ledger_.set_values(ledger_values);
+  report_ = last;
   expected_in_interval_ = -outstanding_carry(particles.count, records);
 }
 

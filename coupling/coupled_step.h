@@ -7,6 +7,10 @@
 //            come back and are sampled at the particles; the ledger books what the gas gave
 //   apply  at every DEM step: the forces, with each particle's own, current velocity
 //
+// In turn, begin() waits for the gas. Overlapped, it does not: the gas advances while the DEM steps
+// go on with the gas fields of the interval before, and the next begin() takes its answer first.
+// The ledger then books each particle's share where it was when the gas was charged.
+//
 // One CoupledStep a DEM rank; begin() and the constructor are collective over both programs.
 #pragma once
 
@@ -15,6 +19,7 @@
 #include <optional>
 
 #include "coupling/base/cost_ledger.h"
+#include "coupling/exchange/applied_forces.h"
 #include "coupling/exchange/effects.h"
 #include "coupling/exchange/ledger.h"
 #include "coupling/exchange/particle_exchange.h"
@@ -30,6 +35,7 @@ struct DemScene {
   std::array<int, 3> periodic{};
   double interval = 0.0;  // coupling interval [s]
   double time = 0.0;      // gas time of the first coupling to come [s]
+  bool overlapped = false;
 };
 
 // The part of the box that a DEM rank's particles may be in until the next coupling.
@@ -47,12 +53,17 @@ class CoupledStep {
               const DemScene& scene);
 
   // Couples over the coming interval [s] from gas time `time`. `records`: one per particle.
-  // Returns the gas's report (on rank 0; empty elsewhere).
-  Report begin(const ParticleView& particles, const DemRegion& region, ExchangeRecord* records,
-               double interval, long step, double time);
+  void begin(const ParticleView& particles, const DemRegion& region, ExchangeRecords& records,
+             double interval, long step, double time);
 
-  // Adds this moment's forces; `dt`: the time for which the host lets them act [s].
-  void apply(const ParticleView& particles, ExchangeRecord* records, double* force, double dt);
+  // Adds this moment's forces; dt: the host's step [s], share: of it that they will act.
+  void apply(const ParticleView& particles, ExchangeRecords& records, const HostForces& host,
+             double dt, double share);
+
+  // Takes the gas's answer if it is still to come. Before a checkpoint, and at the end of a run.
+  void complete(const ParticleView& particles, ExchangeRecords& records);
+  // The gas's last report (on rank 0; empty elsewhere).
+  [[nodiscard]] const Report& report() const { return report_; }
 
   // Asks the gas for a checkpoint that belongs to this DEM step; returns when it is whole on disk.
   void checkpoint(long step);
@@ -61,11 +72,11 @@ class CoupledStep {
 
   // The ledger of all ranks. Collective.
   [[nodiscard]] Ledger whole_ledger(const ParticleView& particles,
-                                    const ExchangeRecord* records) const;
+                                    const ExchangeRecords& records) const;
   // Goes on from a restart: the records are the stored ones, `ledger_values` those of the whole
   // ledger (rank 0 keeps them).
-  void resume(const ParticleView& particles, const ExchangeRecord* records,
-              const std::vector<double>& ledger_values);
+  void resume(const ParticleView& particles, const ExchangeRecords& records,
+              const std::vector<double>& ledger_values, const Report& last);
 
   [[nodiscard]] const GasHello& gas() const { return gas_; }
   [[nodiscard]] const BoxGrid& grid() const { return frame_.grid; }
@@ -76,30 +87,40 @@ class CoupledStep {
     long beyond_walls = 0;  // particles whose centre was outside of the box
   };
   Clamps take_clamps();
+  // Bytes of fields that this rank sent and received since the last call.
+  [[nodiscard]] long take_bytes();
 
  private:
   [[nodiscard]] IndexBox tile_of(const DemRegion& region) const;
   void make_tile(const IndexBox& tile);
-  void settle(const ParticleView& particles, const ExchangeRecord* records);
-  [[nodiscard]] FieldList lent_fields();
+  void settle(const ParticleView& particles, const ExchangeRecords& records);
+  void deposit(const ParticleView& particles);
+  void exchange_solids(bool fresh);
+  void charge_gas(const ParticleView& particles, ExchangeRecords& records);
+  void receive_answer();
+  void book_where_charged(const ParticleView& particles, ExchangeRecords& records);
+  [[nodiscard]] Vec3 charged_to_gas() const;
 
   Communicator local_;
   MPI_Comm partner_;
   Effects effects_;
+  bool overlapped_;
   GasHello gas_;
+  GasProperties properties_;
   TileFrame frame_;
   RouteTransport transport_;
   ParticleWeights weights_;
+  ForceLoop forces_;
   Ledger ledger_;
   CostLedger costs_;
   Clamps clamps_;
-  Vec3 taken_in_interval_ = Vec3::Zero();  // this rank's particles, since the last coupling
-  Vec3 expected_in_interval_ = Vec3::Zero();
+  Report report_;
+  double interval_ = 0.0;                     // of the last coupling [s]
+  Vec3 expected_in_interval_ = Vec3::Zero();  // by this rank's particles, less what they owed
   bool met_before_ = false;
-
-  // Over the tile
-  Array3<double> solid_volume_, void_fraction_, drag_coefficient_;
-  VectorField drag_source_, velocity_, pressure_gradient_;
+  bool answer_to_come_ = false;
+  long bytes_ = 0;
+  FieldStore fields_;  // over the tile
 
   std::size_t cost_deposit_, cost_drag_, cost_transport_, cost_wait_, cost_sample_, cost_forces_;
 };

@@ -43,14 +43,6 @@ DemHello meet(const GasSolver& solver, const GasInput& input, MPI_Comm partner,
   return greet_dem(solver.domain().comm(), partner, hello);
 }
 
-void append(FieldList& list, CellVector& field) {
-  for (auto& component : field) list.push_back(&component);
-}
-
-CellVector cell_vector(const IndexBox& box) {
-  return {Array3<double>(box), Array3<double>(box), Array3<double>(box)};
-}
-
 }  // namespace
 
 CouplingPort::CouplingPort(GasSolver& solver, const GasInput& input, MPI_Comm partner,
@@ -61,17 +53,14 @@ CouplingPort::CouplingPort(GasSolver& solver, const GasInput& input, MPI_Comm pa
       out_(out),
       plane_of_spheres_(input.plane_of_spheres),
       halo_(solver.domain()),
-      solid_volume_(solver.own()),
-      void_fraction_(solver.own()),
       cost_transport_(solver.costs().task("transport")),
       cost_wait_(solver.costs().task("waiting for the particles")) {
   const DemHello dem = meet(solver, input, partner, input_file);
   lent_ = FieldSet(dem.lent);
   taken_ = FieldSet(dem.taken);
-  if (taken_.has(GasField::drag_coefficient)) {
-    drag_coefficient_ = Array3<double>(solver.own());
-    drag_source_ = cell_vector(solver.own());
-  }
+  FieldSet used = lent_.united(taken_).add(GasField::void_fraction);
+  if (taken_.has(GasField::drag_source)) used.add(GasField::drag_coefficient);
+  fields_ = FieldStore(used, solver.own());
 }
 
 void CouplingPort::serve(const std::function<void(const GasReport&)>& after_interval) {
@@ -105,54 +94,60 @@ GasReport CouplingPort::couple(const Command& command) {
         make_routes(solver_.grid(), solver_.own(), swap_boxes(partner_, solver_.own()), true),
         true);
   take_solids(fresh);
-  if (taken_.has(GasField::drag_coefficient)) take_drag();
+  if (taken_.has(GasField::drag_source)) take_drag();
   const GasReport done = solver_.advance(command.interval);
-
-  const Stopwatch watch(solver_.costs(), cost_transport_);
-  FieldList lent;
-  if (lent_.has(GasField::velocity)) append(lent, lent_velocity_ = solver_.mean_velocity());
-  if (lent_.has(GasField::pressure_gradient))
-    append(lent, lent_gradient_ = solver_.mean_pressure_gradient());
-  if (!lent.empty()) transport_.send(lent, lent_tag);
+  send_lent(lent_.without(lent_early));
   send_report(local_, partner_, report_of(done));
   return done;
 }
 
+void CouplingPort::send_lent(FieldSet fields) {
+  const Stopwatch watch(solver_.costs(), cost_transport_);
+  if (lent_.has(GasField::velocity)) fields_.vector(GasField::velocity) = solver_.mean_velocity();
+  if (lent_.has(GasField::pressure_gradient))
+    fields_.vector(GasField::pressure_gradient) = solver_.mean_pressure_gradient();
+  const FieldList list = fields_.components(fields);
+  if (!list.empty()) transport_.send(list, lent_tag);
+}
+
 void CouplingPort::take_solids(bool fresh) {
-  solid_volume_.fill(0.0);
+  const FieldList taken = fields_.components(taken_.common(taken_early));
+  for (Array3<double>* field : taken) field->fill(0.0);
   {
     const Stopwatch watch(solver_.costs(), cost_wait_);
-    transport_.receive({&solid_volume_}, solids_tag);
+    transport_.receive(taken, solids_tag);
   }
+  const Array3<double>& solid_volume = fields_.scalar(GasField::solid_volume);
+  if (lent_.has(GasField::solids_velocity))
+    for (int d = 0; d < 3; ++d) {
+      const Array3<double>& flux = fields_.vector(GasField::solid_flux)[d];
+      Array3<double>& velocity = fields_.vector(GasField::solids_velocity)[d];
+      for (std::size_t n = 0; n < velocity.size(); ++n)
+        velocity[n] = solid_volume[n] > 0 ? flux[n] / solid_volume[n] : 0.0;
+    }
   Array3<double> solids(solver_.domain().box());
   const double cell = solver_.grid().cell_volume();
   for_each_cell(solver_.own(), [&](int i, int j, int k) {
-    const double fraction = solid_volume_(i, j, k) / cell;
+    const double fraction = solid_volume(i, j, k) / cell;
     solids(i, j, k) = plane_of_spheres_ > 0 ? solids_in_space(fraction) : fraction;
   });
   moved_cells_ = local_.sum(move_solids_above_limit(solver_.domain(), halo_, solids));
+  Array3<double>& void_fraction = fields_.scalar(GasField::void_fraction);
   for_each_cell(solver_.own(),
-                [&](int i, int j, int k) { void_fraction_(i, j, k) = 1.0 - solids(i, j, k); });
-  solver_.set_void_fraction(void_fraction_);
-
-  const Stopwatch watch(solver_.costs(), cost_transport_);
-  FieldList back;
-  if (lent_.has(GasField::void_fraction)) back.push_back(&void_fraction_);
-  if (fresh && lent_.has(GasField::velocity))
-    append(back, lent_velocity_ = solver_.mean_velocity());
-  if (!back.empty()) transport_.send(back, lent_tag);
+                [&](int i, int j, int k) { void_fraction(i, j, k) = 1.0 - solids(i, j, k); });
+  solver_.set_void_fraction(void_fraction);
+  send_lent(fresh ? lent_ : lent_.common(lent_early));
 }
 
 void CouplingPort::take_drag() {
-  drag_coefficient_.fill(0.0);
-  for (auto& component : drag_source_) component.fill(0.0);
-  FieldList taken{&drag_coefficient_};
-  append(taken, drag_source_);
+  const FieldList taken = fields_.components(taken_.without(taken_early));
+  for (Array3<double>* field : taken) field->fill(0.0);
   {
     const Stopwatch watch(solver_.costs(), cost_wait_);
     transport_.receive(taken, drag_tag);
   }
-  solver_.set_drag(drag_coefficient_, drag_source_);
+  solver_.set_drag(fields_.scalar(GasField::drag_coefficient),
+                   fields_.vector(GasField::drag_source));
 }
 
 Report CouplingPort::report_of(const GasReport& done) const {

@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-#include "coupling/exchange/gas_fields.h"
+#include "coupling/exchange/field_store.h"
 #include "coupling/transport/protocol.h"
 #include "coupling/transport/route.h"
 #include "gas_solver/gas_step.h"
@@ -28,6 +28,7 @@ class CouplingPort {
   GasReport couple(const Command& command);
   void take_solids(bool fresh);
   void take_drag();
+  void send_lent(FieldSet fields);
   [[nodiscard]] Report report_of(const GasReport& done) const;
 
   GasSolver& solver_;
@@ -41,13 +42,7 @@ class CouplingPort {
   RouteTransport transport_;
   long moved_cells_ = 0;
 
-  // Over own()
-  Array3<double> solid_volume_;
-  Array3<double> void_fraction_;
-  Array3<double> drag_coefficient_;
-  CellVector drag_source_;
-  CellVector lent_velocity_;
-  CellVector lent_gradient_;
+  FieldStore fields_;  // lent and taken, over own()
 
   std::size_t cost_transport_;
   std::size_t cost_wait_;

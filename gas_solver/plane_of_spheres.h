@@ -25,9 +25,8 @@ inline const double plane_depth_in_diameters = 2.0 * std::pow(3.0, -0.75);
 // Volume fraction of solids from that of the spheres in cells of depth h_y. The spheres' volume
 // divided by D is 2/3 of their discs' area.
 inline double solids_in_space(double fraction_in_cell) {
-  constexpr double pi = 3.14159265358979323846;
   const double discs = 1.5 * fraction_in_cell * plane_depth_in_diameters;
-  return 2.0 / std::sqrt(pi * std::sqrt(3.0)) * std::pow(discs, 1.5);
+  return 2.0 / std::sqrt(M_PI * std::sqrt(3.0)) * std::pow(discs, 1.5);
 }
 
 }  // namespace gasgrain

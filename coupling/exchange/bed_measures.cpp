@@ -29,6 +29,7 @@ void BedMeasures::add(const ParticleView& particles) {
     if (particles.angular_velocity != nullptr)
       values_[2] += 0.2 * mass * radius * radius *
                     Eigen::Map<const Vec3>(particles.angular_velocity + 3 * p).squaredNorm();
+    for (int d = 0; d < 3; ++d) values_[3 + d] += mass * particles.velocity[3 * p + d];
     const double top = particles.position[3 * p + axis_] + radius;
     if (!std::isfinite(top) || !std::isfinite(values_[1]))
       fail(

@@ -25,7 +25,8 @@ class BedMeasures {
   [[nodiscard]] double translation_energy() const { return values_[1]; }  // sum m v^2 / 2 [J]
   [[nodiscard]] double rotation_energy() const { return values_[2]; }     // sum m r^2 w^2 / 5 [J]
   [[nodiscard]] double kinetic_energy() const { return values_[1] + values_[2]; }
-  [[nodiscard]] double solid_volume() const;  // [m3]
+  [[nodiscard]] Vec3 momentum() const { return {values_[3], values_[4], values_[5]}; }  // [N s]
+  [[nodiscard]] double solid_volume() const;                                            // [m3]
 
   // Height [m] of the tops (centre + radius) of particles under which lies `share` of the solid
   // volume; linear within a bin, so good to (top - bottom) / bins. The bottom when there are no
@@ -36,12 +37,12 @@ class BedMeasures {
   [[nodiscard]] std::vector<double>& values() { return values_; }
 
  private:
-  static constexpr int scalars_ = 3;
+  static constexpr int scalars_ = 6;
 
   int axis_;
   double bottom_;
   double bin_size_;
-  std::vector<double> values_;  // count, energies, then the volume in each bin
+  std::vector<double> values_;  // count, energies, momentum, then the volume in each bin
 };
 
 }  // namespace gasgrain

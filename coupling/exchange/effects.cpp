@@ -12,10 +12,11 @@ namespace {
 
 const std::string drag_word = "drag";
 const std::string method_word = "void_fraction";
+const std::string sharing_word = "momentum_sharing";
 
 std::vector<std::string> known_words() {
   std::vector<std::string> words = choice_names<Force>();
-  words.insert(words.begin(), {drag_word, method_word});
+  words.insert(words.begin(), {drag_word, method_word, sharing_word});
   return words;
 }
 
@@ -32,6 +33,9 @@ class EffectsParser {
       else if (word == method_word)
         read_choice<VoidFractionMethod>(
             word, [&](const VoidFractionMethod& method) { effects_.method = method; });
+      else if (word == sharing_word)
+        read_choice<MomentumSharing>(
+            word, [&](const MomentumSharing& sharing) { effects_.sharing = sharing; });
       else
         read_force(word);
     }
@@ -94,6 +98,7 @@ class EffectsParser {
 FieldSet Effects::lent() const {
   FieldSet fields;
   if (drag) fields.add(GasField::void_fraction).add(GasField::velocity);
+  if (drag && by_mean_velocity()) fields.add(GasField::solids_velocity);
   for (const auto& force : forces)
     fields = fields.united(std::visit([](const auto& chosen) { return chosen.lent(); }, force));
   return fields;
@@ -101,13 +106,60 @@ FieldSet Effects::lent() const {
 
 FieldSet Effects::taken() const {
   FieldSet fields = FieldSet().add(GasField::solid_volume);
-  if (drag) fields.add(GasField::drag_coefficient).add(GasField::drag_source);
+  if (drag) fields.add(GasField::drag_coefficient);
+  if (drag && by_mean_velocity()) fields.add(GasField::solid_flux);
+  if (any_reacts()) fields.add(GasField::drag_source);
   return fields;
+}
+
+std::vector<std::string> Effects::names() const {
+  std::vector<std::string> list;
+  if (drag) list.push_back(drag_word);
+  for (const auto& force : forces) list.emplace_back(name_of(force));
+  return list;
+}
+
+bool Effects::any_reacts() const {
+  return drag || std::any_of(forces.begin(), forces.end(), [](const Force& force) {
+           return std::visit([](const auto& chosen) { return chosen.reacts; }, force);
+         });
+}
+
+bool Effects::by_mean_velocity() const {
+  return std::visit([](auto scheme) { return scheme.by_mean_velocity; }, sharing);
+}
+
+bool Effects::own_drag() const {
+  return std::visit([](auto scheme) { return scheme.own_drag; }, sharing);
+}
+
+RecordLayout Effects::layout(bool overlapped) const {
+  RecordLayout layout;
+  bool steady_reacts = drag && !own_drag();
+  for (const auto& force : forces)
+    std::visit(
+        [&](const auto& chosen) {
+          steady_reacts |= chosen.kind == ForceKind::steady && chosen.reacts;
+        },
+        force);
+  if (steady_reacts) layout.reaction = layout.add(3);
+  if (lent().has(GasField::vorticity)) layout.vorticity = layout.add(3);
+  if (lent().has(GasField::acceleration)) layout.acceleration = layout.add(3);
+  if (drag && by_mean_velocity()) {
+    layout.mean_coefficient = layout.add(1);
+    layout.mean_velocity = layout.add(3);
+  }
+  if (overlapped) {
+    layout.position = layout.add(3);
+    layout.velocity = layout.add(3);
+  }
+  return layout;
 }
 
 std::string Effects::text() const {
   std::string words = method_word + " " + std::string(name_of(method));
-  if (drag) words += " " + drag_word + " " + std::string(name_of(*drag));
+  if (drag) words += fmt::format(" {} {}", drag_word, name_of(*drag));
+  if (drag && by_mean_velocity()) words += fmt::format(" {} {}", sharing_word, name_of(sharing));
   for (const auto& force : forces) words += " " + std::string(name_of(force));
   return words;
 }

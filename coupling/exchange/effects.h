@@ -1,6 +1,7 @@
 // The effects that a scene names, read from the words of its line, for instance
 //   drag koch_hill void_fraction offset pressure_gradient
-// `drag` and `void_fraction` take one name; a force is switched on by its bare name.
+// `drag`, `void_fraction` and `momentum_sharing` take one name; a force is switched on by its bare
+// name.
 //
 // Without a void_fraction word the method is trilinear: it is the one whose void fraction is
 // continuous as particles move, so that the gas sees no spikes of d eps / dt. Without a drag word
@@ -12,8 +13,10 @@
 #include <vector>
 
 #include "coupling/exchange/drag/models.h"
+#include "coupling/exchange/exchange_record.h"
 #include "coupling/exchange/forces/forces.h"
 #include "coupling/exchange/gas_fields.h"
+#include "coupling/exchange/momentum_sharing.h"
 #include "coupling/exchange/void_fraction/methods.h"
 
 namespace gasgrain {
@@ -21,12 +24,22 @@ namespace gasgrain {
 struct Effects {
   VoidFractionMethod method = VoidFractionTrilinear{};
   std::optional<DragModel> drag;
+  MomentumSharing sharing;
   std::vector<Force> forces;  // in the order of the scene, none twice
 
   // Fields that the gas must lend for these effects, and fields that it must take.
   [[nodiscard]] FieldSet lent() const;
   [[nodiscard]] FieldSet taken() const;
-  // The words of a line that means the same, defaults written out.
+  // Names of what is on, drag first, in the order of the scene: the order of the ledger's sums.
+  [[nodiscard]] std::vector<std::string> names() const;
+  // Of momentum_sharing.h.
+  [[nodiscard]] bool by_mean_velocity() const;
+  [[nodiscard]] bool own_drag() const;
+  // True when some force's impulse is taken from the gas.
+  [[nodiscard]] bool any_reacts() const;
+  // What a particle's record must hold. `overlapped`: the gas's answer comes an interval later.
+  [[nodiscard]] RecordLayout layout(bool overlapped) const;
+  // The words of a line that means the same, the void-fraction method written out.
   [[nodiscard]] std::string text() const;
 };
 

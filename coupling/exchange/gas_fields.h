@@ -17,9 +17,14 @@ enum class GasField : std::uint8_t {
   void_fraction,      // eps, the sum over all DEM ranks
   velocity,           // u, interstitial
   pressure_gradient,  // grad p
+  vorticity,          // curl u
+  acceleration,       // Du/Dt, along the gas's own path
+  viscous_force,      // div tau
+  solids_velocity,    // mean over the solids, sum over all DEM ranks
   solid_volume,       // volume of solids in the cell
+  solid_flux,         // sum of volume times velocity of the solids in the cell
   drag_coefficient,   // sum of K of the particles in the cell, per volume
-  drag_source,        // sum of K v, plus what the ledger carries, per volume
+  drag_source,        // sum of K v, less what the ledger carries, per volume
 };
 
 struct GasFieldInfo {
@@ -30,11 +35,16 @@ struct GasFieldInfo {
   bool lent;  // gas to particles (else particles to gas)
 };
 
-inline constexpr std::array<GasFieldInfo, 6> gas_field_list{{
+inline constexpr std::array<GasFieldInfo, 11> gas_field_list{{
     {GasField::void_fraction, "void_fraction", 1, "1", true},
     {GasField::velocity, "velocity", 3, "m/s", true},
     {GasField::pressure_gradient, "pressure_gradient", 3, "Pa/m", true},
+    {GasField::vorticity, "vorticity", 3, "1/s", true},
+    {GasField::acceleration, "acceleration", 3, "m/s2", true},
+    {GasField::viscous_force, "viscous_force", 3, "N/m3", true},
+    {GasField::solids_velocity, "solids_velocity", 3, "m/s", true},
     {GasField::solid_volume, "solid_volume", 1, "m3", false},
+    {GasField::solid_flux, "solid_flux", 3, "m4/s", false},
     {GasField::drag_coefficient, "drag_coefficient", 1, "kg/(m3 s)", false},
     {GasField::drag_source, "drag_source", 3, "N/m3", false},
 }};
@@ -59,9 +69,22 @@ class FieldSet {
   [[nodiscard]] constexpr FieldSet united(FieldSet other) const {
     return FieldSet(bits_ | other.bits_);
   }
+  [[nodiscard]] constexpr FieldSet common(FieldSet other) const {
+    return FieldSet(bits_ & other.bits_);
+  }
+  [[nodiscard]] constexpr FieldSet without(FieldSet other) const {
+    return FieldSet(bits_ & ~other.bits_);
+  }
 
  private:
   std::uint32_t bits_ = 0;
 };
+
+// A coupling has two stages: first the solids are taken and what depends on them alone is lent,
+// then everything else.
+inline constexpr FieldSet lent_early =
+    FieldSet().add(GasField::void_fraction).add(GasField::solids_velocity);
+inline constexpr FieldSet taken_early =
+    FieldSet().add(GasField::solid_volume).add(GasField::solid_flux);
 
 }  // namespace gasgrain

@@ -6,51 +6,39 @@
 namespace gasgrain {
 namespace {
 
-const VectorField& required(const VectorField* field, GasField which) {
-  if (field == nullptr)
-    fail("the field {} was not returned by the gas although an effect of the scene needs it",
-         info(which).name);
-  return *field;
+// Coefficient [kg/s] and velocity [m/s] of the grain by which the gas is charged.
+double gas_coefficient(const ExchangeRecords& records, bool by_mean, std::size_t p) {
+  return by_mean ? records.row(p)[records.layout().mean_coefficient] : records.K(p);
+}
+Vec3 gas_counterpart(const ParticleView& particles, const ExchangeRecords& records, bool by_mean,
+                     std::size_t p) {
+  if (by_mean) return records.at(p, records.layout().mean_velocity);
+  return particles.v(p);
 }
 
-template <bool with_drag, bool with_steady>
-AppliedDrag apply(const ParticleView& particles, ExchangeRecord* records, double* force,
-                  double dt) {
-  double impulse[3] = {0.0, 0.0, 0.0};
-  double magnitude[3] = {0.0, 0.0, 0.0};
-  for (std::size_t p = 0; p < particles.count; ++p) {
-    ExchangeRecord& record = records[p];
-    for (int d = 0; d < 3; ++d) {
-      double total = 0.0;
-      if constexpr (with_drag) {
-        const double drag = record.K * (record.u[d] - particles.velocity[3 * p + d]);
-        record.taken[d] += drag * dt;
-        impulse[d] += drag * dt;
-        magnitude[d] += std::abs(drag) * dt;
-        total += drag;
-      }
-      if constexpr (with_steady) total += record.steady_force[d];
-      force[3 * p + d] += total;
-    }
-  }
-  return {Vec3(impulse[0], impulse[1], impulse[2]), magnitude[0] + magnitude[1] + magnitude[2]};
+// Steady forces depend on one field each.
+constexpr GasField only_field(FieldSet set) {
+  GasField found = gas_field_list[0].field;
+  for (const GasFieldInfo& field : gas_field_list)
+    if (set.has(field.field)) found = field.field;
+  return found;
 }
 
-// Adds one steady force to the records; returns the sum of its absolute components [N].
 template <class Steady>
 double add_steady(const ParticleView& particles, const ParticleWeights& weights,
-                  const LentFields& lent, ExchangeRecord* records) {
-  static_assert(Steady::lent().bits() == FieldSet().add(GasField::pressure_gradient).bits(),
-                "a steady force that needs another field must have it sampled here");
+                  const GasProperties& gas, const FieldStore& fields, ExchangeRecords& records) {
+  constexpr GasField field = only_field(Steady::lent());
+  static_assert(Steady::lent().bits() == FieldSet().add(field).bits());
+  const int reaction = records.layout().reaction;
   double magnitude = 0.0;
-  weights.sample(required(lent.pressure_gradient, GasField::pressure_gradient),
-                 [&](std::size_t p, const Vec3& gradient) {
-                   GasAtParticle at;
-                   at.pressure_gradient = gradient;
-                   const Vec3 force = Steady::force(GasProperties{}, at, particles.radius[p]);
-                   as_vec3(records[p].steady_force) += force;
-                   magnitude += force.lpNorm<1>();
-                 });
+  weights.sample(fields.vector(field), [&](std::size_t p, const Vec3& value) {
+    GasAtParticle at;
+    place(at, field) = value;
+    const Vec3 force = Steady::force(gas, at, particles.radius[p]);
+    records.steady_force(p) += force;
+    if constexpr (Steady::reacts) records.at(p, reaction) += force;
+    magnitude += force.lpNorm<1>();
+  });
   return magnitude;
 }
 
@@ -61,79 +49,135 @@ void deposit_solid_volume(const ParticleView& particles, const ParticleWeights& 
   weights.deposit([&](std::size_t p) { return sphere_volume(particles.radius[p]); }, solid_volume);
 }
 
+void deposit_solids(const ParticleView& particles, const ParticleWeights& weights,
+                    const Effects& effects, FieldStore& fields) {
+  deposit_solid_volume(particles, weights, fields.scalar(GasField::solid_volume));
+  if (effects.drag && effects.by_mean_velocity())
+    weights.deposit(
+        [&](std::size_t p) -> Vec3 { return sphere_volume(particles.radius[p]) * particles.v(p); },
+        fields.vector(GasField::solid_flux));
+}
+
 DragRefresh refresh_drag(const ParticleView& particles, const ParticleWeights& weights,
-                         const DragModel& model, const GasProperties& gas,
-                         const Array3<double>& void_fraction, const VectorField& gas_velocity,
-                         ExchangeRecord* records) {
+                         const Effects& effects, const GasProperties& gas, const FieldStore& fields,
+                         ExchangeRecords& records) {
+  const bool by_mean = effects.drag && effects.by_mean_velocity();
+  const RecordLayout& layout = records.layout();
   // The void fraction waits in K and the gas velocity in u until the law is evaluated.
-  weights.sample(void_fraction, [&](std::size_t p, double eps) { records[p].K = eps; });
-  weights.sample(gas_velocity, [&](std::size_t p, const Vec3& u) { as_vec3(records[p].u) = u; });
+  weights.sample(fields.scalar(GasField::void_fraction),
+                 [&](std::size_t p, double eps) { records.K(p) = eps; });
+  weights.sample(fields.vector(GasField::velocity),
+                 [&](std::size_t p, const Vec3& u) { records.u(p) = u; });
+  if (by_mean)
+    weights.sample(fields.vector(GasField::solids_velocity),
+                   [&](std::size_t p, const Vec3& v) { records.at(p, layout.mean_velocity) = v; });
   constexpr double round_off = 1e-9;  // cells filled to the gas's own limit are at the bound
   DragRefresh refresh;
   std::visit(
       [&](const auto& law) {
         for (std::size_t p = 0; p < particles.count; ++p) {
-          ExchangeRecord& record = records[p];
-          const double eps = record.K;
+          const double eps = records.K(p);
           if (eps < least_drag_void_fraction - round_off) ++refresh.too_dense;
           refresh.least_void_fraction = std::min(refresh.least_void_fraction, eps);
           const double met = std::clamp(eps, least_drag_void_fraction, 1.0);
-          record.K = law.coefficient(gas, met, (as_vec3(record.u) - particles.v(p)).norm(),
-                                     2.0 * particles.radius[p]);
-          if (gas.whole_pressure_gradient) record.K /= met;
+          const auto coefficient = [&](const Vec3& v) {
+            const double K =
+                law.coefficient(gas, met, (records.u(p) - v).norm(), 2.0 * particles.radius[p]);
+            return gas.whole_pressure_gradient ? K / met : K;
+          };
+          records.K(p) = coefficient(particles.v(p));
+          if (by_mean)
+            records.row(p)[layout.mean_coefficient] =
+                coefficient(records.at(p, layout.mean_velocity));
         }
       },
-      model);
+      *effects.drag);
   return refresh;
 }
 
 void deposit_drag(const ParticleView& particles, const ParticleWeights& weights,
-                  const ExchangeRecord* records, double cell_volume, double interval,
-                  Array3<double>& drag_coefficient, VectorField& drag_source) {
+                  const Effects& effects, double cell_volume, double interval, FieldStore& fields,
+                  ExchangeRecords& records) {
   const double per_volume = 1.0 / cell_volume;
-  weights.deposit([&](std::size_t p) { return records[p].K * per_volume; }, drag_coefficient);
+  const bool by_mean = effects.drag && effects.by_mean_velocity();
+  // In scheme 1 gas and grains do not balance, and nothing is made up for.
+  const double owed = by_mean && effects.own_drag() ? 0.0 : 1.0 / interval;
+  if (effects.drag)
+    weights.deposit(
+        [&](std::size_t p) { return gas_coefficient(records, by_mean, p) * per_volume; },
+        fields.scalar(GasField::drag_coefficient));
   weights.deposit(
       [&](std::size_t p) -> Vec3 {
-        return (records[p].K * particles.v(p) - carry(records[p]) / interval) * per_volume;
+        Vec3 source = -owed * records.carry(p);
+        if (effects.drag)
+          source += gas_coefficient(records, by_mean, p) *
+                    gas_counterpart(particles, records, by_mean, p);
+        return source * per_volume;
       },
-      drag_source);
+      fields.vector(GasField::drag_source));
+  for (std::size_t p = 0; p < particles.count; ++p) {
+    records.expected(p) = -records.carry(p);
+    records.taken(p).setZero();
+  }
 }
 
-std::vector<double> set_records(const ParticleView& particles, const ParticleWeights& weights,
-                                const Effects& effects, const LentFields& lent, double interval,
-                                ExchangeRecord* records) {
-  for (std::size_t p = 0; p < particles.count; ++p) {
-    records[p].steady_force.fill(0.0);
-    records[p].taken.fill(0.0);
+void book_expected(const ParticleView& particles, const ParticleWeights& weights,
+                   const Effects& effects, const FieldStore& fields, double interval,
+                   ExchangeRecords& records) {
+  if (!effects.drag) {
+    for (std::size_t p = 0; p < particles.count; ++p) records.expected(p).setZero();
+    return;
   }
-  if (effects.drag)
-    weights.sample(required(lent.velocity, GasField::velocity), [&](std::size_t p, const Vec3& u) {
-      as_vec3(records[p].u) = u;
-      as_vec3(records[p].expected) = records[p].K * interval * (u - particles.v(p));
-    });
-  std::vector<double> work;
-  for (const auto& force : effects.forces)
-    work.push_back(interval * std::visit(
-                                  [&](const auto& chosen) {
-                                    return add_steady<std::decay_t<decltype(chosen)>>(
-                                        particles, weights, lent, records);
-                                  },
-                                  force));
+  const bool by_mean = effects.drag && effects.by_mean_velocity();
+  weights.sample(fields.vector(GasField::velocity), [&](std::size_t p, const Vec3& u) {
+    records.expected(p) = gas_coefficient(records, by_mean, p) * interval *
+                          (u - gas_counterpart(particles, records, by_mean, p));
+  });
+}
+
+std::vector<double> set_gas_at_particles(const ParticleView& particles,
+                                         const ParticleWeights& weights, const Effects& effects,
+                                         const GasProperties& gas, const FieldStore& fields,
+                                         double interval, ExchangeRecords& records) {
+  const RecordLayout& layout = records.layout();
+  const auto sample = [&](GasField field, auto&& put) {
+    if (effects.lent().has(field)) weights.sample(fields.vector(field), put);
+  };
+  sample(GasField::velocity, [&](std::size_t p, const Vec3& u) { records.u(p) = u; });
+  sample(GasField::vorticity,
+         [&](std::size_t p, const Vec3& w) { records.at(p, layout.vorticity) = w; });
+  sample(GasField::acceleration,
+         [&](std::size_t p, const Vec3& a) { records.at(p, layout.acceleration) = a; });
+  for (std::size_t p = 0; p < particles.count; ++p) {
+    records.steady_force(p).setZero();
+    if (layout.reaction >= 0) records.at(p, layout.reaction).setZero();
+  }
+  std::vector<double> work(effects.names().size(), 0.0);
+  std::size_t n = effects.drag ? 1 : 0;
+  for (const Force& force : effects.forces) {
+    std::visit(
+        [&](const auto& chosen) {
+          using Chosen = std::decay_t<decltype(chosen)>;
+          if constexpr (Chosen::kind == ForceKind::steady)
+            work[n] = interval * add_steady<Chosen>(particles, weights, gas, fields, records);
+        },
+        force);
+    ++n;
+  }
+  if (effects.drag && !effects.own_drag())
+    for (std::size_t p = 0; p < particles.count; ++p) {
+      const Vec3 force = gas_coefficient(records, true, p) *
+                         (records.u(p) - gas_counterpart(particles, records, true, p));
+      records.steady_force(p) += force;
+      records.at(p, layout.reaction) += force;
+      work[0] += interval * force.lpNorm<1>();
+    }
   return work;
 }
 
-AppliedDrag apply_forces(const ParticleView& particles, const Effects& effects,
-                         ExchangeRecord* records, double* force, double dt) {
-  const bool steady = !effects.forces.empty();
-  if (effects.drag && steady) return apply<true, true>(particles, records, force, dt);
-  if (effects.drag) return apply<true, false>(particles, records, force, dt);
-  if (steady) return apply<false, true>(particles, records, force, dt);
-  return {};
-}
-
-Vec3 outstanding_carry(std::size_t count, const ExchangeRecord* records) {
+Vec3 outstanding_carry(std::size_t count, const ExchangeRecords& records) {
   Vec3 sum = Vec3::Zero();
-  for (std::size_t p = 0; p < count; ++p) sum += carry(records[p]);
+  for (std::size_t p = 0; p < count; ++p) sum += records.carry(p);
   return sum;
 }
 

@@ -1,24 +1,29 @@
-// The loops over a rank's particles in a coupled step, in the order of their use:
-//   deposit_solid_volume -> [void fraction from the gas ranks] -> refresh_drag -> deposit_drag
-//   -> [the gas advances over the interval] -> set_records -> apply_forces, every DEM step.
-// All of them work on the host's arrays and on fields over the rank's tile; none communicates.
+// The loops over a rank's particles at a coupling, in the order of their use:
+//   deposit_solids -> [void fraction from the gas ranks] -> refresh_drag -> deposit_drag
+//   -> [the gas advances over the interval] -> book_expected, set_gas_at_particles
+// and then applied_forces.h at every DEM step. All of them work on the host's arrays and on fields
+// over the rank's tile; none communicates.
 //
-// The particles must not move, nor change order, between refresh_drag and set_records, so that what
-// the gas gave and what is expected are the same to round-off.
+// book_expected() must be given the weights of deposit_drag(), so that what the gas gave and what
+// is expected are the same to round-off.
 #pragma once
 
 #include <vector>
 
 #include "coupling/exchange/effects.h"
 #include "coupling/exchange/exchange_record.h"
+#include "coupling/exchange/field_store.h"
 #include "coupling/exchange/particle_view.h"
 #include "coupling/exchange/particle_weights.h"
 
 namespace gasgrain {
 
-// Adds the particles' volume [m3] to the field.
+// Adds the particles' volume [m3].
 void deposit_solid_volume(const ParticleView& particles, const ParticleWeights& weights,
                           Array3<double>& solid_volume);
+// Adds it and, where the effects ask for it, volume times velocity [m4/s].
+void deposit_solids(const ParticleView& particles, const ParticleWeights& weights,
+                    const Effects& effects, FieldStore& fields);
 
 struct DragRefresh {
   std::size_t too_dense = 0;         // particles at a void fraction below least_drag_void_fraction
@@ -27,39 +32,30 @@ struct DragRefresh {
 
 // K of every record from the void fraction and the last gas velocity [m/s] at the particle.
 DragRefresh refresh_drag(const ParticleView& particles, const ParticleWeights& weights,
-                         const DragModel& model, const GasProperties& gas,
-                         const Array3<double>& void_fraction, const VectorField& gas_velocity,
-                         ExchangeRecord* records);
+                         const Effects& effects, const GasProperties& gas, const FieldStore& fields,
+                         ExchangeRecords& records);
 
-// Adds K [kg/(m3 s)] and S = K v - carry / interval [N/m3] per volume of cell.
+// Adds K [kg/(m3 s)] and S = K v - carry / interval [N/m3] per volume of cell. `taken` begins anew;
+// until book_expected() is called, the carry stays as it was.
 void deposit_drag(const ParticleView& particles, const ParticleWeights& weights,
-                  const ExchangeRecord* records, double cell_volume, double interval,
-                  Array3<double>& drag_coefficient, VectorField& drag_source);
+                  const Effects& effects, double cell_volume, double interval, FieldStore& fields,
+                  ExchangeRecords& records);
 
-// Fields returned by the gas; null where no effect needs the field.
-struct LentFields {
-  const VectorField* velocity = nullptr;           // [m/s]
-  const VectorField* pressure_gradient = nullptr;  // [Pa/m]
-};
+// expected = K (u - v) interval, u from the gas velocity that the gas was charged with.
+// The particles have the velocities of deposit_drag().
+void book_expected(const ParticleView& particles, const ParticleWeights& weights,
+                   const Effects& effects, const FieldStore& fields, double interval,
+                   ExchangeRecords& records);
 
-// Begins a coupling interval [s]: u and steady forces from the returned fields, expected = K (u -
-// v) interval, taken = 0. Returns for each of effects.forces the sum over particles and components
-// of |F| interval [N s], its share in the work shown by the ledger.
-std::vector<double> set_records(const ParticleView& particles, const ParticleWeights& weights,
-                                const Effects& effects, const LentFields& lent, double interval,
-                                ExchangeRecord* records);
-
-struct AppliedDrag {
-  Vec3 impulse = Vec3::Zero();  // given to the particles in this call [N s]
-  double magnitude = 0.0;       // sum over particles and components of |impulse| [N s]
-};
-
-// Adds K (u - v) + steady_force to `force` [N] (count x 3, row by row) and K (u - v) dt to `taken`.
-// dt [s] is the time over which the host will let this force act.
-AppliedDrag apply_forces(const ParticleView& particles, const Effects& effects,
-                         ExchangeRecord* records, double* force, double dt);
+// What the forces of the interval [s] need of the gas, sampled at the particles. Returns for each
+// of Effects::names() the sum over particles and components of |F| interval [N s] where the force
+// is a steady one, 0 elsewhere.
+std::vector<double> set_gas_at_particles(const ParticleView& particles,
+                                         const ParticleWeights& weights, const Effects& effects,
+                                         const GasProperties& gas, const FieldStore& fields,
+                                         double interval, ExchangeRecords& records);
 
 // Sum of the particles' carry [N s].
-Vec3 outstanding_carry(std::size_t count, const ExchangeRecord* records);
+Vec3 outstanding_carry(std::size_t count, const ExchangeRecords& records);
 
 }  // namespace gasgrain

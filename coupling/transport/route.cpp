@@ -85,7 +85,7 @@ void RouteTransport::send(const FieldList& fields, int tag) {
            [&](int i, int j, int k) { buffer.push_back((*field)(i, j, k)); });
     MPI_Isend(buffer.data(), static_cast<int>(buffer.size()), MPI_DOUBLE, routes_[r].partner, tag,
               partner_, &requests[r]);
-    bytes_sent_ += static_cast<long>(buffer.size() * sizeof(double));
+    bytes_ += static_cast<long>(buffer.size() * sizeof(double));
   }
   wait_sleeping(requests);
 }
@@ -99,6 +99,7 @@ void RouteTransport::receive(const FieldList& fields, int tag) {
   }
   wait_sleeping(requests);
   for (std::size_t r = 0; r < routes_.size(); ++r) {
+    bytes_ += static_cast<long>(buffers_[r].size() * sizeof(double));
     const double* value = buffers_[r].data();
     for (auto* field : fields)
       walk(routes_[r], i_am_gas_, [&](int i, int j, int k) {

@@ -4,6 +4,7 @@
 
 #include <mpi.h>
 
+#include <utility>
 #include <vector>
 
 #include "coupling/base/array3.h"
@@ -48,7 +49,8 @@ class RouteTransport {
   // the partners' ranks (so that the same launch gives the same sums); a DEM rank overwrites.
   void receive(const FieldList& fields, int tag);
 
-  [[nodiscard]] long bytes_sent() const { return bytes_sent_; }
+  // Bytes of fields sent and received since the last call.
+  long take_bytes() { return std::exchange(bytes_, 0); }
   [[nodiscard]] const std::vector<Route>& routes() const { return routes_; }
 
  private:
@@ -56,7 +58,7 @@ class RouteTransport {
   std::vector<Route> routes_;
   bool i_am_gas_ = false;
   std::vector<std::vector<double>> buffers_;
-  long bytes_sent_ = 0;
+  long bytes_ = 0;
 };
 
 }  // namespace gasgrain

@@ -29,13 +29,13 @@
 
 namespace LAMMPS_NS {
 
-using gasgrain::ExchangeRecord;
 using gasgrain::Vec3;
 
 namespace {
 
 constexpr const char* usage =
-    "fix ID all couple/gas every N [start STEP] [output DIR] EFFECTS..., for instance\n"
+    "fix ID all couple/gas every N [start STEP] [output DIR] [mode in_turn|overlapped] EFFECTS..., "
+    "for instance\n"
     "  fix gas all couple/gas every 100 drag koch_hill pressure_gradient";
 
 // Share of the solid volume that lies under the bed height: single grains thrown above the bed are
@@ -44,13 +44,16 @@ constexpr double bed_height_share = 0.995;
 
 // Columns of history.csv (docs/liggghts.md), in the order of record(); the ledger's
 // and the probes' pressures follow.
-constexpr std::array<const char*, 25> history_columns{"time_s",
+constexpr std::array<const char*, 29> history_columns{"time_s",
                                                       "step",
                                                       "particles",
                                                       "bed_height_m",
                                                       "surface_height_m",
                                                       "bubble_diameter_m",
                                                       "kinetic_energy_J",
+                                                      "momentum_x_Ns",
+                                                      "momentum_y_Ns",
+                                                      "momentum_z_Ns",
                                                       "max_overlap",
                                                       "courant",
                                                       "gas_substeps",
@@ -68,7 +71,8 @@ constexpr std::array<const char*, 25> history_columns{"time_s",
                                                       "turbulence_not_converged",
                                                       "backflow_faces",
                                                       "mass_inflow_kg_s",
-                                                      "mass_outflow_kg_s"};
+                                                      "mass_outflow_kg_s",
+                                                      "bytes_of_fields"};
 
 int whole_number(const char* text, const char* keyword, long least) {
   char* end = nullptr;
@@ -76,6 +80,13 @@ int whole_number(const char* text, const char* keyword, long least) {
   if (end == text || *end != '\0' || value < least || value > std::numeric_limits<int>::max())
     gasgrain::fail("{} {}: must be a whole number, at least {}.\n{}", keyword, text, least, usage);
   return static_cast<int>(value);
+}
+
+bool mode_is_overlapped(const std::string& mode) {
+  const std::vector<std::string> modes{"in_turn", "overlapped"};
+  if (mode != modes[0] && mode != modes[1])
+    gasgrain::fail("mode \"{}\" is unknown.{}\n{}", mode, gasgrain::suggestion(mode, modes), usage);
+  return mode == modes[1];
 }
 
 }  // namespace
@@ -111,11 +122,14 @@ void FixCoupleGas::read_arguments(int narg, char** arg) {
       start_ = whole_number(arg[a + 1], "start", 0);
     else if (std::strcmp(arg[a], "output") == 0)
       output_ = arg[a + 1];
+    else if (std::strcmp(arg[a], "mode") == 0)
+      overlapped_ = mode_is_overlapped(arg[a + 1]);
     else
       break;
   }
   if (every_ == 0) gasgrain::fail("couple/gas needs 'every N' before the effects.\n{}", usage);
   effects_ = gasgrain::parse_effects({arg + a, arg + narg}, "couple/gas");
+  records_ = gasgrain::ExchangeRecords(effects_.layout(overlapped_));
   if (!gasgrain::session().local.is_root()) return;
   std::filesystem::create_directories(output_ + "/checkpoint");
   std::filesystem::create_directories(output_ + "/particles");
@@ -149,6 +163,7 @@ void FixCoupleGas::meet_partner() {
   scene.box_hi = Vec3(domain->boxhi[0], domain->boxhi[1], domain->boxhi[2]);
   for (int d = 0; d < 3; ++d) scene.periodic[d] = domain->periodicity[d];
   scene.interval = every_ * update->dt;
+  scene.overlapped = overlapped_;
   scene.time =
       last_coupled_ < 0 ? 0.0 : static_cast<double>(last_coupled_ + every_ - start_) * update->dt;
   coupled_ =
@@ -156,7 +171,7 @@ void FixCoupleGas::meet_partner() {
 
   const auto& gas = coupled_->gas();
   std::vector<std::string> columns(history_columns.begin(), history_columns.end());
-  for (const auto& name : gasgrain::Ledger::column_names()) columns.push_back(name);
+  for (const auto& name : gasgrain::Ledger(effects_).column_names()) columns.push_back(name);
   for (int n = 0; n < gas.probes; ++n)
     columns.push_back(fmt::format("p_{:g}m_Pa", gas.probe_heights[n]));
   if (session.local.is_root())
@@ -205,10 +220,24 @@ bool FixCoupleGas::due(bigint step) const {
   return (step - start_) % every_ == 0;
 }
 
+// Drag is implicit in the sum of all other forces, and so wants to see all of them.
+void FixCoupleGas::warn_of_later_forces() const {
+  if (comm->me != 0) return;
+  for (int n = modify->nfix - 1; n >= 0 && modify->fix[n] != this; --n)
+    if ((modify->fmask[n] & FixConst::POST_FORCE) != 0)
+      for (FILE* sink : {screen, logfile})
+        if (sink != nullptr)
+          fmt::print(sink,
+                     "couple/gas: warning: fix {} {} stands after it in the script: drag does not "
+                     "see the forces that it adds. Put couple/gas after it.\n",
+                     modify->fix[n]->id, modify->fix[n]->style);
+}
+
 void FixCoupleGas::setup(int) {
+  if (update->laststep > start_) warn_of_later_forces();
   guarded([&] {
     if (resumed_ && !restored_ledger_.empty()) {
-      coupled_->resume(particles(), records_.data(), restored_ledger_);
+      coupled_->resume(particles(), records_, restored_ledger_, restored_report_);
       restored_ledger_.clear();
     }
     if (gasgrain::session().local.is_root())
@@ -250,14 +279,14 @@ void FixCoupleGas::couple() {
   region.largest_radius = local.max(region.largest_radius);
   const double dt = update->dt;
   const bigint step = update->ntimestep;
-  last_report_ = coupled_->begin(particles(), region, records_.data(), every_ * dt, step,
-                                 static_cast<double>(step - start_) * dt);
+  coupled_->begin(particles(), region, records_, every_ * dt, step,
+                  static_cast<double>(step - start_) * dt);
   last_coupled_ = step;
 }
 
 void FixCoupleGas::apply_forces(double share_of_step) {
   if (last_coupled_ < 0 || atom->nlocal == 0) return;
-  coupled_->apply(particles(), records_.data(), atom->f[0], share_of_step * update->dt);
+  coupled_->apply(particles(), records_, {atom->f[0], atom->torque[0]}, update->dt, share_of_step);
 }
 
 // A line of history: the bed and the gas at this moment, before the coupling that starts here.
@@ -273,8 +302,9 @@ void FixCoupleGas::record() {
   const auto clamps = coupled_->take_clamps();
   const long too_dense = local.sum(clamps.too_dense);
   const long beyond_walls = local.sum(clamps.beyond_walls);
-  const auto ledger = coupled_->whole_ledger(particles(), records_.data());
-  const gasgrain::Report& gas = last_report_;
+  const long bytes = local.sum(coupled_->take_bytes());
+  const auto ledger = coupled_->whole_ledger(particles(), records_);
+  const gasgrain::Report& gas = coupled_->report();
   shown_ = {bed.height(bed_height_share), gas.bubble_diameter, ledger.residual(), gas.courant_max};
   if (!history_) return;
   const auto count = [](auto n) { return static_cast<double>(n); };
@@ -285,6 +315,9 @@ void FixCoupleGas::record() {
                            gas.surface_height,
                            gas.bubble_diameter,
                            bed.kinetic_energy(),
+                           bed.momentum()[0],
+                           bed.momentum()[1],
+                           bed.momentum()[2],
                            overlap,
                            gas.courant_max,
                            count(gas.substeps),
@@ -302,7 +335,8 @@ void FixCoupleGas::record() {
                            count(gas.turbulence_not_converged),
                            count(gas.backflow_faces),
                            gas.mass_inflow,
-                           gas.mass_outflow};
+                           gas.mass_outflow,
+                           count(bytes)};
   for (const double value : ledger.column_values()) line.push_back(value);
   for (int n = 0; n < coupled_->gas().probes; ++n) line.push_back(gas.probe_pressure[n]);
   history_->write(line);
@@ -348,7 +382,8 @@ void FixCoupleGas::post_run() {
   costs.charge(costs.task("DEM communication"), timer->array[TIME_COMM]);
   costs.charge(costs.task("output"), timer->array[TIME_OUTPUT]);
   if (last_coupled_ < 0) return;
-  const auto ledger = coupled_->whole_ledger(particles(), records_.data());
+  guarded([&] { coupled_->complete(particles(), records_); });
+  const auto ledger = coupled_->whole_ledger(particles(), records_);
   if (comm->me != 0) return;
   for (FILE* sink : {screen, logfile})
     if (sink != nullptr) fmt::print(sink, "{}\n", ledger.text());
@@ -359,7 +394,7 @@ double FixCoupleGas::compute_vector(int n) {
 }
 
 double FixCoupleGas::memory_usage() {
-  return static_cast<double>(records_.capacity() * sizeof(ExchangeRecord));
+  return static_cast<double>(records_.size() * records_.layout().size * sizeof(double));
 }
 
 }  // namespace LAMMPS_NS

@@ -1,11 +1,13 @@
-// fix ID all couple/gas every N [start STEP] [output DIR] EFFECTS...
+// fix ID all couple/gas every N [start STEP] [output DIR] [mode MODE] EFFECTS...
 //
 // Couples the bed with the gas solver of the same launch. LIGGGHTS's dialect only: the physics is
 // in coupling/exchange, the story of a step in coupling/coupled_step. The words after the keywords
 // are the scene's effects (coupling/exchange/effects.h).
 //   every N     DEM steps between two couplings
 //   start STEP  the gas starts at this step; before it the bed is packed without gas (default: at
-//   once) output DIR  folder of history.csv, run.json, checkpoints (default: results)
+//   once)
+//   output DIR  folder of history.csv, run.json, checkpoints (default: results)
+//   mode MODE   in_turn (default) or overlapped: the gas advances while the grains move on
 // f_ID[1..4]: bed height [m], bubble diameter [m], ledger residual, Courant number of the gas.
 #pragma once
 
@@ -59,6 +61,7 @@ class FixCoupleGas : public Fix {
     bigint last_coupled;
     int every;
     int booked_whole;
+    int record_size;
     int ledger_values;
     gasgrain::Report last_report;
   };
@@ -71,6 +74,7 @@ class FixCoupleGas : public Fix {
   void couple();
   void record();
   void apply_forces(double share_of_step);
+  void warn_of_later_forces() const;
   [[nodiscard]] double greatest_overlap() const;
   template <class Action>
   void guarded(Action&& action);
@@ -79,18 +83,19 @@ class FixCoupleGas : public Fix {
   int every_ = 0;
   bigint start_ = 0;
   std::string output_ = "results";
+  bool overlapped_ = false;
   gasgrain::Effects effects_;
 
   // Of the run
   std::unique_ptr<gasgrain::CoupledStep> coupled_;
   std::unique_ptr<gasgrain::HistoryFile> history_;
-  std::vector<gasgrain::ExchangeRecord> records_;  // one per particle, moves with it
-  bigint last_coupled_ = -1;                       // step; -1: never
-  bigint last_recorded_ = -1;                      // step
+  gasgrain::ExchangeRecords records_;  // one per particle, moves with it
+  bigint last_coupled_ = -1;           // step; -1: never
+  bigint last_recorded_ = -1;          // step
   bool resumed_ = false;
   bool booked_whole_ = false;            // the last step's force was booked with both of its halves
   std::vector<double> restored_ledger_;  // of a checkpoint, until it is handed on
-  gasgrain::Report last_report_;         // rank 0
+  gasgrain::Report restored_report_;     // of a checkpoint, rank 0
   std::array<double, 4> shown_{};        // f_ID[1..4]
 };
 

@@ -1,4 +1,5 @@
 // How the records of fix couple/gas move with the particles, between ranks and through restarts.
+#include <algorithm>
 #include <cstring>
 
 #include "fix_cfd_coupling/liggghts/fix_couple_gas.h"
@@ -10,13 +11,10 @@
 
 namespace LAMMPS_NS {
 
-using gasgrain::exchange_record_size;
-using gasgrain::ExchangeRecord;
-
 namespace {
 
 // Raised with every change of StoredState.
-constexpr bigint stored_format = 2;
+constexpr bigint stored_format = 3;
 
 }  // namespace
 
@@ -25,55 +23,63 @@ void FixCoupleGas::grow_arrays(int size) {
 }
 
 void FixCoupleGas::copy_arrays(int from, int to, int) {
-  records_[to] = records_[from];
+  records_.copy(from, to);
 }
 
 void FixCoupleGas::set_arrays(int particle) {
-  records_[particle] = ExchangeRecord{};
+  records_.clear(particle);
 }
 
 int FixCoupleGas::pack_exchange(int particle, double* buffer) {
-  std::memcpy(buffer, &records_[particle], sizeof(ExchangeRecord));
-  return exchange_record_size;
+  const int size = records_.layout().size;
+  std::copy_n(records_.row(particle), size, buffer);
+  return size;
 }
 
 int FixCoupleGas::unpack_exchange(int particle, double* buffer) {
-  std::memcpy(static_cast<void*>(&records_[particle]), buffer, sizeof(ExchangeRecord));
-  return exchange_record_size;
+  const int size = records_.layout().size;
+  std::copy_n(buffer, size, records_.row(particle));
+  return size;
 }
 
 // The host keeps the length of a fix's share in front of it.
 int FixCoupleGas::pack_restart(int particle, double* buffer) {
-  buffer[0] = exchange_record_size + 1;
-  std::memcpy(buffer + 1, &records_[particle], sizeof(ExchangeRecord));
-  return exchange_record_size + 1;
+  buffer[0] = size_restart(particle);
+  pack_exchange(particle, buffer + 1);
+  return size_restart(particle);
 }
 
 void FixCoupleGas::unpack_restart(int particle, int nth) {
-  const double* share = atom->extra[particle];
+  double* share = atom->extra[particle];
   for (int n = 0; n < nth; ++n) share += static_cast<int>(share[0]);
-  std::memcpy(static_cast<void*>(&records_[particle]), share + 1, sizeof(ExchangeRecord));
+  unpack_exchange(particle, share + 1);
 }
 
 int FixCoupleGas::size_restart(int) {
-  return exchange_record_size + 1;
+  return records_.layout().size + 1;
 }
 
 int FixCoupleGas::maxsize_restart() {
-  return exchange_record_size + 1;
+  return records_.layout().size + 1;
 }
 
 // Whole state: start, last coupled step, interval, the gas's last report, then the ledger of all
 // ranks. The gas writes its checkpoint of the same step at the same time. Called on every rank;
 // rank 0 has the file.
 void FixCoupleGas::write_restart(FILE* file) {
-  const auto ledger = coupled_->whole_ledger(particles(), records_.data()).values();
+  // A gas that is still at work must have answered before it is asked for a checkpoint.
+  guarded([&] { coupled_->complete(particles(), records_); });
+  const auto ledger = coupled_->whole_ledger(particles(), records_).values();
   if (comm->me != 0) return;
   guarded([&] { coupled_->checkpoint(step_now()); });
-  StoredState state{stored_format,         start_,
-                    last_coupled_,         every_,
-                    booked_whole_ ? 1 : 0, static_cast<int>(ledger.size()),
-                    last_report_};
+  StoredState state{stored_format,
+                    start_,
+                    last_coupled_,
+                    every_,
+                    booked_whole_ ? 1 : 0,
+                    records_.layout().size,
+                    static_cast<int>(ledger.size()),
+                    coupled_->report()};
   const int bytes = static_cast<int>(sizeof(state) + ledger.size() * sizeof(double));
   fwrite(&bytes, sizeof(int), 1, file);
   fwrite(&state, sizeof(state), 1, file);
@@ -95,12 +101,15 @@ void FixCoupleGas::restart(char* data) {
     gasgrain::stop_everything(fmt::format(
         "the checkpoint was written with 'start {}', the script has 'start {}': keep it.",
         state.start, start_));
-  if (state.ledger_values != static_cast<int>(gasgrain::Ledger(effects_).values().size()))
+  if (state.ledger_values != static_cast<int>(gasgrain::Ledger(effects_).values().size()) ||
+      state.record_size != records_.layout().size)
     gasgrain::stop_everything(
-        "the checkpoint was written with other effects on the couple/gas line: keep them.");
+        "the checkpoint was written with other effects or another mode on the couple/gas line: "
+        "keep "
+        "them.");
   last_coupled_ = state.last_coupled;
   booked_whole_ = state.booked_whole != 0;
-  last_report_ = state.last_report;
+  restored_report_ = state.last_report;
   restored_ledger_.resize(static_cast<std::size_t>(state.ledger_values));
   std::memcpy(restored_ledger_.data(), data + sizeof(state),
               restored_ledger_.size() * sizeof(double));

@@ -2,6 +2,7 @@
 // 36 x 6 x 220 cells of 4.17 x 3.33 x 4.55 mm, every method and law of the LISTs. One core.
 #include <benchmark/benchmark.h>
 
+#include "coupling/exchange/applied_forces.h"
 #include "tests/exchange_cloud.h"
 
 namespace gasgrain {
@@ -14,15 +15,15 @@ struct SpoutedBed {
   BoxGrid grid;
   TileFrame frame;
   Cloud cloud;
-  std::vector<ExchangeRecord> records{particle_count};
+  Effects effects;
+  ExchangeRecords records;
   std::vector<double> force;
+  std::vector<double> torque;
   ParticleWeights weights;
-  VectorField velocity;
-  VectorField source;
-  Array3<double> void_fraction;
-  Array3<double> coefficient;
+  FieldStore fields;
 
-  explicit SpoutedBed(const VoidFractionMethod& method) {
+  explicit SpoutedBed(const std::vector<std::string>& words)
+      : effects(parse_effects(words, "bench")), records(effects.layout(false)) {
     grid.hi = {36 * 4.17e-3, 6 * 3.33e-3, 220 * 4.55e-3};
     grid.cells = {36, 6, 220};
     frame = {grid, grid.all()};
@@ -31,54 +32,64 @@ struct SpoutedBed {
       cloud.add(random.vector(Vec3::Zero(), Vec3(grid.hi[0], grid.hi[1], 0.2 * grid.hi[2])),
                 random.vector(1.0), particle_radius);
     force.resize(3 * particle_count);
-    weights.find(cloud.view(), method, frame);
-    velocity = make_vector_field(frame.tile);
-    for (auto& component : velocity) random.fill(component, -1.0, 3.0);
-    source = make_vector_field(frame.tile);
-    void_fraction = Array3<double>(frame.tile);
-    random.fill(void_fraction, 0.4, 0.95);
-    coefficient = Array3<double>(frame.tile);
+    torque.resize(3 * particle_count);
+    records.resize(particle_count);
+    weights.find(cloud.view(), effects.method, frame);
+    fields = FieldStore(effects.lent().united(effects.taken()), frame.tile);
+    for (Array3<double>* field : fields.components(effects.lent())) random.fill(*field, -1.0, 3.0);
+    if (fields.has(GasField::void_fraction))
+      random.fill(fields.scalar(GasField::void_fraction), 0.4, 0.95);
   }
 };
 
-void find_weights(benchmark::State& state, const VoidFractionMethod& method) {
-  SpoutedBed bed(method);
-  for (auto _ : state) bed.weights.find(bed.cloud.view(), method, bed.frame);
+constexpr GasProperties air{1.2, 1.8e-5};
+
+std::vector<std::string> usual(std::string_view method) {
+  return {"void_fraction", std::string(method), "drag", "koch_hill", "pressure_gradient"};
+}
+
+void find_weights(benchmark::State& state, const std::vector<std::string>& words) {
+  SpoutedBed bed(words);
+  for (auto _ : state) bed.weights.find(bed.cloud.view(), bed.effects.method, bed.frame);
   state.counters["cells_per_particle"] =
       static_cast<double>(bed.weights.entries()) / static_cast<double>(particle_count);
 }
 
-void deposit(benchmark::State& state, const VoidFractionMethod& method) {
-  SpoutedBed bed(method);
+void deposit(benchmark::State& state, const std::vector<std::string>& words) {
+  SpoutedBed bed(words);
   for (auto _ : state) {
-    deposit_solid_volume(bed.cloud.view(), bed.weights, bed.void_fraction);
-    deposit_drag(bed.cloud.view(), bed.weights, bed.records.data(), bed.grid.cell_volume(), 1e-4,
-                 bed.coefficient, bed.source);
+    deposit_solids(bed.cloud.view(), bed.weights, bed.effects, bed.fields);
+    deposit_drag(bed.cloud.view(), bed.weights, bed.effects, bed.grid.cell_volume(), 1e-4,
+                 bed.fields, bed.records);
   }
 }
 
-void sample(benchmark::State& state, const VoidFractionMethod& method) {
-  SpoutedBed bed(method);
-  const Effects effects = parse_effects({"drag", "koch_hill", "pressure_gradient"}, "bench");
-  for (auto _ : state)
-    benchmark::DoNotOptimize(set_records(bed.cloud.view(), bed.weights, effects,
-                                         {&bed.velocity, &bed.velocity}, 1e-4, bed.records.data()));
+void sample(benchmark::State& state, const std::vector<std::string>& words) {
+  SpoutedBed bed(words);
+  for (auto _ : state) {
+    book_expected(bed.cloud.view(), bed.weights, bed.effects, bed.fields, 1e-4, bed.records);
+    benchmark::DoNotOptimize(set_gas_at_particles(bed.cloud.view(), bed.weights, bed.effects, air,
+                                                  bed.fields, 1e-4, bed.records));
+  }
 }
 
-void refresh(benchmark::State& state, const DragModel& law) {
-  SpoutedBed bed(VoidFractionOffset{});
+void refresh(benchmark::State& state, const std::vector<std::string>& words) {
+  SpoutedBed bed(words);
   for (auto _ : state)
-    benchmark::DoNotOptimize(refresh_drag(bed.cloud.view(), bed.weights, law, {1.2, 1.8e-5},
-                                          bed.void_fraction, bed.velocity, bed.records.data()));
+    benchmark::DoNotOptimize(
+        refresh_drag(bed.cloud.view(), bed.weights, bed.effects, air, bed.fields, bed.records));
 }
 
 // Once a DEM step, not once a coupling.
 void forces(benchmark::State& state, const std::vector<std::string>& words) {
-  SpoutedBed bed(VoidFractionOffset{});
-  const Effects effects = parse_effects(words, "bench");
+  SpoutedBed bed(words);
+  if (bed.effects.drag)
+    refresh_drag(bed.cloud.view(), bed.weights, bed.effects, air, bed.fields, bed.records);
+  set_gas_at_particles(bed.cloud.view(), bed.weights, bed.effects, air, bed.fields, 1e-4,
+                       bed.records);
+  ForceLoop loop(bed.effects, air);
   for (auto _ : state)
-    benchmark::DoNotOptimize(
-        apply_forces(bed.cloud.view(), effects, bed.records.data(), bed.force.data(), 1e-6));
+    loop.apply(bed.cloud.view(), bed.records, {bed.force.data(), bed.torque.data()}, 1e-6, 1.0);
 }
 
 void register_all() {
@@ -87,18 +98,19 @@ void register_all() {
       function(state, argument);
     })->Unit(benchmark::kMillisecond);
   };
-  for_each_choice<VoidFractionMethod>([&](auto method) {
-    const std::string name(method.name);
-    add("find_weights/" + name, find_weights, VoidFractionMethod(method));
-    add("deposit_volume_and_drag/" + name, deposit, VoidFractionMethod(method));
-    add("sample_velocity_and_pressure/" + name, sample, VoidFractionMethod(method));
-  });
-  for_each_choice<DragModel>(
-      [&](auto law) { add("refresh_drag/" + std::string(law.name), refresh, DragModel(law)); });
+  for (const std::string& name : choice_names<VoidFractionMethod>()) {
+    add("find_weights/" + name, find_weights, usual(name));
+    add("deposit_volume_and_drag/" + name, deposit, usual(name));
+    add("sample_velocity_and_pressure/" + name, sample, usual(name));
+  }
+  for (const std::string& law : choice_names<DragModel>())
+    add("refresh_drag/" + law, refresh,
+        std::vector<std::string>{"void_fraction", "offset", "drag", law});
   add("apply_forces/none", forces, std::vector<std::string>{});
   add("apply_forces/drag", forces, std::vector<std::string>{"drag", "koch_hill"});
-  add("apply_forces/drag_and_pressure", forces,
-      std::vector<std::string>{"drag", "koch_hill", "pressure_gradient"});
+  for (const std::string& force : choice_names<Force>())
+    add("apply_forces/drag_and_" + force, forces,
+        std::vector<std::string>{"drag", "koch_hill", force});
 }
 
 }  // namespace

@@ -44,8 +44,8 @@ class Ranks(unittest.TestCase):
                 self.assertLess(history[-1]["ledger_residual"], 1e-8)
                 # Nobody was removed: a record lost on the way between ranks would show here.
                 for axis in "xyz":
-                    self.assertLess(abs(history[-1][f"drag_left_{axis}_Ns"]),
-                                    1e-12 * history[-1]["drag_exchanged_Ns"])
+                    self.assertLess(abs(history[-1][f"impulse_left_{axis}_Ns"]),
+                                    1e-12 * history[-1]["impulse_exchanged_Ns"])
                 self.assertEqual(len(history), len(self.history))
                 # Before the first contacts have acted nothing but round-off may differ.
                 for ours, theirs in zip(self.history[:5], history[:5]):

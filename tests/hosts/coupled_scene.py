@@ -61,7 +61,7 @@ delete_atoms group gone compress no"""
         counts = [row["particles"] for row in rows]
         self.assertGreater(max(counts), counts[0])
         self.assertLess(counts[-1], max(counts))
-        self.assertGreater(sum(abs(rows[-1][f"drag_left_{axis}_Ns"]) for axis in "xyz"), 0.0)
+        self.assertGreater(sum(abs(rows[-1][f"impulse_left_{axis}_Ns"]) for axis in "xyz"), 0.0)
         for row in rows:
             self.assertLess(row["ledger_residual"], 1e-10)
 

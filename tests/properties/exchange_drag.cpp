@@ -45,12 +45,15 @@ double refreshed(const DragModel& law, double eps, const Vec3& u, const Vec3& v)
   cloud.add(0.5 * (grid.lo + grid.hi), v, cloud_radius);
   ParticleWeights weights;
   weights.find(cloud.view(), VoidFractionOffset{}, frame);
-  VectorField velocity = make_vector_field(frame.tile);
-  for (int d = 0; d < 3; ++d) velocity[d].fill(u[d]);
-  ExchangeRecord record;
-  refresh_drag(cloud.view(), weights, law, {1.2, 1.8e-5}, Array3<double>(frame.tile, eps), velocity,
-               &record);
-  return record.K;
+  Effects effects;
+  effects.drag = law;
+  FieldStore fields(effects.lent(), frame.tile);
+  for (int d = 0; d < 3; ++d) fields.vector(GasField::velocity)[d].fill(u[d]);
+  fields.scalar(GasField::void_fraction).fill(eps);
+  ExchangeRecords records;
+  records.resize(1);
+  refresh_drag(cloud.view(), weights, effects, {1.2, 1.8e-5}, fields, records);
+  return records.K(0);
 }
 
 TYPED_TEST(drag, reduces_to_stokes_for_an_isolated_sphere) {

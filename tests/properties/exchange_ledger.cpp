@@ -7,39 +7,41 @@
 namespace gasgrain {
 namespace {
 
-// A gas that does as it likes with its velocity, but loses K u - S.
+// A gas that does as it likes with its fields, but loses K u - S.
 class WilfulGas {
  public:
-  WilfulGas(const TileFrame& frame, Random& random)
-      : velocity(make_vector_field(frame.tile)),
-        pressure_gradient(make_vector_field(frame.tile)),
-        void_fraction(frame.tile),
+  WilfulGas(const Effects& effects, const TileFrame& frame, Random& random)
+      : fields(effects.lent().united(effects.taken()), frame.tile),
+        effects_(effects),
         cell_volume_(frame.grid.cell_volume()),
         random_(random) {
-    random_.fill(void_fraction, 0.4, 0.95);
+    random_.fill(fields.scalar(GasField::void_fraction), 0.4, 0.95);
   }
 
-  // Returns the drag impulse it gave over the interval.
-  Vec3 advance(const Array3<double>& K, const VectorField& S, double interval) {
+  // Returns the impulse it gave over the interval.
+  Vec3 advance(double interval) {
+    for (Array3<double>* field : fields.components(effects_.lent()))
+      random_.fill(*field, -3.0, 5.0);
+    random_.fill(fields.scalar(GasField::void_fraction), 0.4, 0.95);
     Vec3 given = Vec3::Zero();
-    for (int d = 0; d < 3; ++d) {
-      random_.fill(velocity[d], -3.0, 5.0);
-      random_.fill(pressure_gradient[d], -5e3, 5e3);
+    const Array3<double>& K = fields.scalar(GasField::drag_coefficient);
+    for (int d = 0; d < 3; ++d)
       for (std::size_t n = 0; n < K.size(); ++n)
-        given[d] += cell_volume_ * (K[n] * velocity[d][n] - S[d][n]) * interval;
-    }
-    random_.fill(void_fraction, 0.4, 0.95);
+        given[d] += cell_volume_ * interval *
+                    (K[n] * fields.vector(GasField::velocity)[d][n] -
+                     fields.vector(GasField::drag_source)[d][n]);
     return given;
   }
 
-  VectorField velocity;
-  VectorField pressure_gradient;
-  Array3<double> void_fraction;
+  FieldStore fields;
 
  private:
+  Effects effects_;
   double cell_volume_;
   Random& random_;
 };
+
+constexpr GasProperties air{1.2, 1.8e-5};
 
 // Couplings of different lengths, DEM steps with ever new particle velocities, particles that come
 // and go. Returns the ledger after `couplings` and as many DEM steps more as asked for.
@@ -48,51 +50,62 @@ Ledger run(const Effects& effects, int couplings, int steps_after_last) {
   const TileFrame frame = whole_frame(grid, effects.method);
   Random random(7);
   Cloud cloud = random_cloud(grid, 300, random);
-  std::vector<ExchangeRecord> records(cloud.radius.size());
-  WilfulGas gas(frame, random);
+  ExchangeRecords records(effects.layout(false));
+  records.resize(cloud.radius.size());
+  WilfulGas gas(effects, frame, random);
   Ledger ledger(effects);
+  ForceLoop forces(effects, air);
   ParticleWeights weights;
 
   for (int coupling = 0; coupling < couplings; ++coupling) {
     const double interval = random.between(1e-4, 3e-4);
     weights.find(cloud.view(), effects.method, frame);
-    refresh_drag(cloud.view(), weights, *effects.drag, {1.2, 1.8e-5}, gas.void_fraction,
-                 gas.velocity, records.data());
-    Array3<double> K(frame.tile);
-    VectorField S = make_vector_field(frame.tile);
-    deposit_drag(cloud.view(), weights, records.data(), grid.cell_volume(), interval, K, S);
-    ledger.add_given(gas.advance(K, S, interval));
-    ledger.add_steady_work(set_records(cloud.view(), weights, effects,
-                                       {&gas.velocity, &gas.pressure_gradient}, interval,
-                                       records.data()));
+    refresh_drag(cloud.view(), weights, effects, air, gas.fields, records);
+    for (Array3<double>* field : gas.fields.components(effects.taken())) field->fill(0.0);
+    deposit_drag(cloud.view(), weights, effects, grid.cell_volume(), interval, gas.fields, records);
+    ledger.add_given(gas.advance(interval));
+    book_expected(cloud.view(), weights, effects, gas.fields, interval, records);
+    ledger.add_work(
+        set_gas_at_particles(cloud.view(), weights, effects, air, gas.fields, interval, records));
 
     const int steps = coupling + 1 == couplings ? steps_after_last : 10;
     for (int step = 0; step < steps; ++step) {
       for (double& v : cloud.velocity) v += random.between(-0.5, 0.5);
-      std::vector<double> force(cloud.velocity.size(), 0.0);
-      ledger.add_taken(
-          apply_forces(cloud.view(), effects, records.data(), force.data(), interval / 10.0));
+      std::vector<double> force(cloud.velocity.size(), 1e-3);
+      std::vector<double> torque(cloud.velocity.size(), 0.0);
+      forces.apply(cloud.view(), records, {force.data(), torque.data()}, interval / 10.0, 1.0);
       if (step == 4 && coupling % 3 == 1) {
-        ledger.add_left(carry(records.back()));
-        records.pop_back();
+        ledger.add_left(records.carry(records.size() - 1));
+        records.resize(records.size() - 1);
         cloud.remove_last();
       }
     }
     if (coupling % 5 == 2) {
       cloud.add(random.vector(grid.lo, grid.hi), random.vector(1.0), cloud_radius);
-      records.emplace_back();
+      records.resize(records.size() + 1);
     }
   }
-  ledger.set_outstanding(outstanding_carry(records.size(), records.data()));
+  ledger.add_taken(forces.applied());
+  ledger.set_outstanding(outstanding_carry(records.size(), records));
   return ledger;
 }
 
-TEST(ledger, closes_for_every_drag_law_and_void_fraction_method) {
+// All forces of the LIST, drag and one way of sharing.
+Effects every_force(std::string_view drag, std::string_view method, std::string_view sharing) {
+  std::vector<std::string> words{"drag",
+                                 std::string(drag),
+                                 "void_fraction",
+                                 std::string(method),
+                                 "momentum_sharing",
+                                 std::string(sharing)};
+  for (const std::string& force : choice_names<Force>()) words.push_back(force);
+  return parse_effects(words, "test");
+}
+
+TEST(ledger, closes_for_every_drag_law_and_void_fraction_method_with_every_force_on) {
   for_each_choice<DragModel>([](auto law) {
     for_each_choice<VoidFractionMethod>([&](auto method) {
-      const Effects effects = parse_effects({"drag", std::string(law.name), "void_fraction",
-                                             std::string(method.name), "pressure_gradient"},
-                                            "test");
+      const Effects effects = every_force(law.name, method.name, "scheme_3");
       // At a coupling, and in the middle of an interval.
       for (const int steps : {0, 5, 10}) {
         const Ledger ledger = run(effects, 20, steps);
@@ -105,6 +118,12 @@ TEST(ledger, closes_for_every_drag_law_and_void_fraction_method) {
       }
     });
   });
+}
+
+TEST(ledger,
+     closes_for_the_ways_of_sharing_that_obey_the_third_law_and_shows_the_one_that_does_not) {
+  EXPECT_LT(run(every_force("koch_hill", "trilinear", "scheme_2"), 20, 10).residual(), 1e-13);
+  EXPECT_GT(run(every_force("koch_hill", "trilinear", "scheme_1"), 20, 10).residual(), 1e-6);
 }
 
 TEST(ledger, shows_a_particle_that_left_without_its_carry) {
@@ -133,13 +152,14 @@ TEST(ledger, names_the_effects_that_did_nothing) {
   EXPECT_EQ(ledger.residual(), 0.0);
   EXPECT_EQ(ledger.idle_effects(), (std::vector<std::string>{"drag", "pressure_gradient"}));
   EXPECT_NE(ledger.text().find("pressure_gradient"), std::string::npos);
-  ledger.add_taken({Vec3(0.0, 0.0, 1.0), 1.0});
+  ledger.add_work({1.0, 0.0});
   EXPECT_EQ(ledger.idle_effects(), std::vector<std::string>{"pressure_gradient"});
   EXPECT_TRUE(Ledger(Effects{}).idle_effects().empty());
 }
 
 TEST(ledger, has_as_many_values_as_columns) {
-  EXPECT_EQ(Ledger::column_names().size(), Ledger(Effects{}).column_values().size());
+  const Ledger ledger(parse_effects({"drag", "koch_hill", "pressure_gradient"}, "test"));
+  EXPECT_EQ(ledger.column_names().size(), ledger.column_values().size());
 }
 
 }  // namespace

@@ -15,6 +15,22 @@ struct GasAtParticle {
   Vec3 viscous_force = Vec3::Zero();      // div tau [N/m3]
 };
 
+// Where a lent field of the gas has its place.
+inline Vec3& place(GasAtParticle& at, GasField field) {
+  switch (field) {
+    case GasField::pressure_gradient:
+      return at.pressure_gradient;
+    case GasField::vorticity:
+      return at.vorticity;
+    case GasField::acceleration:
+      return at.acceleration;
+    case GasField::viscous_force:
+      return at.viscous_force;
+    default:
+      return at.velocity;
+  }
+}
+
 struct GrainState {
   Vec3 velocity = Vec3::Zero();          // [m/s]
   Vec3 angular_velocity = Vec3::Zero();  // [rad/s]
