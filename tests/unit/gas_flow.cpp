@@ -8,6 +8,12 @@ namespace {
 
 using namespace gas_cases;
 
+void set_dense_bed(GasSolver& gas) {
+  set_bed(
+      gas, [](int, int, int k) { return k < 25 ? 0.42 : 1.0; },
+      [](int, int, int k) { return k < 25 ? 5000.0 : 0.0; }, constant_zero);
+}
+
 TEST(gas_flow, uniform_flow_stays_uniform_while_the_void_fraction_changes_around_it) {
   Sides sides;
   sides.fill(&periodic_side);
@@ -41,10 +47,8 @@ TEST(gas_flow, nozzle_smaller_than_a_cell_brings_its_mass_exactly_and_its_moment
   input.gravity = Vec3::Zero();
   input.viscosity = 0;
   const double mass_flow = 2e-4;
-  InflowPatch nozzle;
-  nozzle.side = 4;
-  nozzle.outline = {{{0.0425, 0.0425}, {0.0475, 0.0475}}, true};
-  nozzle.velocity = mass_flow / (input.density * nozzle.outline.area());
+  const Outline circle{{{0.0425, 0.0425}, {0.0475, 0.0475}}, true};
+  const InflowPatch nozzle = jet_through(circle, mass_flow / (input.density * circle.area()));
   input.inflows = {nozzle};
   input.convection = Convection::upwind;
   input.courant_max = 1000;
@@ -76,11 +80,8 @@ TEST(gas_flow, nozzle_smaller_than_a_cell_brings_its_mass_exactly_and_its_moment
 TEST(gas_flow, backflow_through_an_outlet_stays_bounded_and_is_counted) {
   GasInput input = box({8, 2, 12}, Vec3(0.08, 0.02, 0.12), walls);
   input.sides[5] = &outlet;
-  InflowPatch jet;
-  jet.side = 4;
-  jet.outline.bounds = {{0.03, 0.0}, {0.05, 0.02}};
-  jet.velocity = 60;  // entrains gas through the top
-  input.inflows = {jet};
+  // Entrains gas through the top.
+  input.inflows = {jet_through({{{0.03, 0.0}, {0.05, 0.02}}, false}, 60)};
   GasSolver gas(input, self());
   long backflow = 0;
   for (int n = 0; n < 200; ++n) {
@@ -124,20 +125,11 @@ TEST(gas_flow, sealed_box_runs_and_reports_what_cannot_be_met) {
 }
 
 TEST(gas_flow, thin_jet_at_a_high_courant_number_stays_bounded) {
-  GasInput input = box({12, 6, 40}, Vec3(0.048, 0.024, 0.16), walls);
-  input.sides[5] = &outlet;
-  InflowPatch jet;
-  jet.side = 4;
-  jet.outline.bounds = {{0.024, 0.012}, {0.028, 0.016}};
-  jet.velocity = 150;
-  input.inflows = {jet};
+  GasInput input = thin_jet();
   input.step = 0.5e-3;
   for (const bool with_bed : {true, false}) {
     GasSolver gas(input, self());
-    if (with_bed)
-      set_bed(
-          gas, [](int, int, int k) { return k < 25 ? 0.42 : 1.0; },
-          [](int, int, int k) { return k < 25 ? 5000.0 : 0.0; }, constant_zero);
+    if (with_bed) set_dense_bed(gas);
     double courant = 0;
     double greatest = 0;
     for (int n = 0; n < 100; ++n) {
@@ -146,42 +138,30 @@ TEST(gas_flow, thin_jet_at_a_high_courant_number_stays_bounded) {
     }
     EXPECT_GT(courant, 15);
     // A jet of one whole cell may speed up a little: grains narrow its way, the pressure drives it.
-    EXPECT_LT(greatest, 1.25 * jet.velocity) << (with_bed ? "bed" : "free");
+    EXPECT_LT(greatest, 1.25 * input.inflows[0].velocity) << (with_bed ? "bed" : "free");
   }
 }
 
 TEST(gas_flow, thin_jet_stays_bounded_with_crank_nicolson_at_its_courant_number) {
-  GasInput input = box({12, 6, 40}, Vec3(0.048, 0.024, 0.16), walls);
-  input.sides[5] = &outlet;
-  InflowPatch jet;
-  jet.side = 4;
-  jet.outline.bounds = {{0.024, 0.012}, {0.028, 0.016}};
-  jet.velocity = 150;
-  input.inflows = {jet};
+  GasInput input = thin_jet();
   input.scheme = TimeScheme::crank_nicolson;
   input.courant_max = 2;
   for (const bool with_bed : {true, false}) {
     GasSolver gas(input, self());
-    if (with_bed)
-      set_bed(
-          gas, [](int, int, int k) { return k < 25 ? 0.42 : 1.0; },
-          [](int, int, int k) { return k < 25 ? 5000.0 : 0.0; }, constant_zero);
+    if (with_bed) set_dense_bed(gas);
     double greatest = 0;
     for (int n = 0; n < 20; ++n) {
       gas.advance(0.5e-3);
       greatest = std::max(greatest, greatest_speed(gas));
     }
-    EXPECT_LT(greatest, 1.25 * jet.velocity) << (with_bed ? "bed" : "free");
+    EXPECT_LT(greatest, 1.25 * input.inflows[0].velocity) << (with_bed ? "bed" : "free");
   }
 }
 
 TEST(gas_flow, jet_that_starts_in_gas_at_rest_is_no_faster_than_its_nozzle_at_any_step) {
   GasInput input = box({36, 6, 30}, Vec3(0.15, 0.02, 0.14), walls);
   input.sides[5] = &outlet;
-  InflowPatch nozzle;
-  nozzle.side = 4;
-  nozzle.outline = {{{0.0725, 0.0075}, {0.0775, 0.0125}}, true};
-  nozzle.velocity = 180;
+  const InflowPatch nozzle = jet_through({{{0.0725, 0.0075}, {0.0775, 0.0125}}, true}, 180);
   input.inflows = {nozzle};
   input.courant_max = 1000;
   for (const double step : {0.25e-3, 1e-3, 4e-3}) {

@@ -15,31 +15,6 @@ using namespace gas_cases;
 // and cycles whose order differs between the numbers of ranks.
 constexpr double tolerance = 1e-10;
 
-GasInput spout(const Int3& cells) {
-  GasInput input = box(cells, Vec3(0.06, 0.05, 0.14), walls);
-  input.sides[5] = &outlet;
-  InflowPatch jet;
-  jet.side = 4;
-  jet.outline = {{{0.021, 0.011}, {0.039, 0.029}}, true};
-  jet.velocity = 20;
-  input.inflows = {jet};
-  input.tolerance = 1e-12;
-  return input;
-}
-
-void run(GasSolver& gas, int from, int to) {
-  for (int n = from; n < to; ++n) {
-    set_bed(
-        gas,
-        [n](int i, int j, int k) {
-          return 0.4 + (k < 7 ? 0.0 : 0.58) + 0.02 * scatter(i + n, j, k);
-        },
-        [](int i, int j, int k) { return 2e3 * scatter(k, i, j); },
-        [](int i, int j, int k) { return 30 * scatter(j, k, i); });
-    gas.advance(1e-3);
-  }
-}
-
 std::string common_file() {
   // One name for both ranks, none for another run of this program.
   long pid = getpid();
@@ -81,9 +56,9 @@ class gas_restart : public testing::TestWithParam<Int3> {};
 TEST_P(gas_restart, checkpoint_of_one_rank_goes_on_on_two) {
   const Communicator world(MPI_COMM_WORLD);
   const std::string file = common_file();
-  const GasInput input = spout(GetParam());
+  const GasInput input = spout(GetParam(), 20, 1e-12);
   GasSolver whole(input, self());
-  run(whole, 0, 3);
+  run_spout(whole, 0, 3);
   if (world.is_root())
     whole.write_checkpoint(file);
   else
@@ -91,8 +66,8 @@ TEST_P(gas_restart, checkpoint_of_one_rank_goes_on_on_two) {
   MPI_Barrier(MPI_COMM_WORLD);
   GasSolver two(input, world);
   two.read_checkpoint(file);
-  run(whole, 3, 7);
-  run(two, 3, 7);
+  run_spout(whole, 3, 7);
+  run_spout(two, 3, 7);
   expect_same(two, whole);
   std::remove((world.is_root() ? file : file + ".of_the_other_rank").c_str());
 }
@@ -100,14 +75,14 @@ TEST_P(gas_restart, checkpoint_of_one_rank_goes_on_on_two) {
 TEST_P(gas_restart, checkpoint_of_two_ranks_goes_on_on_one) {
   const Communicator world(MPI_COMM_WORLD);
   const std::string file = common_file();
-  const GasInput input = spout(GetParam());
+  const GasInput input = spout(GetParam(), 20, 1e-12);
   GasSolver whole(input, world);
-  run(whole, 0, 3);
+  run_spout(whole, 0, 3);
   whole.write_checkpoint(file);
   GasSolver one(input, self());
   one.read_checkpoint(file);
-  run(whole, 3, 7);
-  run(one, 3, 7);
+  run_spout(whole, 3, 7);
+  run_spout(one, 3, 7);
   expect_same(whole, one);
   MPI_Barrier(MPI_COMM_WORLD);
   if (world.is_root()) std::remove(file.c_str());

@@ -10,33 +10,10 @@ namespace {
 
 using namespace gas_cases;
 
-GasInput spout(const Int3& cells) {
-  GasInput input = box(cells, Vec3(0.06, 0.05, 0.14), walls);
-  input.sides[5] = &outlet;
-  input.sides[2] = input.sides[3] = &periodic_side;
-  InflowPatch jet;
-  jet.side = 4;
-  jet.outline = {{{0.021, 0.011}, {0.039, 0.029}}, true};
-  jet.velocity = 20;
-  input.inflows = {jet};
-  input.tolerance = 1e-11;
+GasInput probed_spout(const Int3& cells) {
+  GasInput input = endless_spout(cells, 20, 1e-11);
   input.pressure_probes = {0.03, 0.1};
   return input;
-}
-
-GasReport run(GasSolver& gas, int from, int to) {
-  GasReport report;
-  for (int n = from; n < to; ++n) {
-    set_bed(
-        gas,
-        [n](int i, int j, int k) {
-          return 0.4 + (k < 7 ? 0.0 : 0.58) + 0.02 * scatter(i + n, j, k);
-        },
-        [](int i, int j, int k) { return 2e3 * scatter(k, i, j); },
-        [](int i, int j, int k) { return 30 * scatter(j, k, i); });
-    report = gas.advance(1e-3);
-  }
-  return report;
 }
 
 class gas_split : public testing::TestWithParam<Int3> {};
@@ -44,11 +21,11 @@ class gas_split : public testing::TestWithParam<Int3> {};
 TEST_P(gas_split, two_ranks_give_what_one_gives) {
   const Communicator world(MPI_COMM_WORLD);
   ASSERT_EQ(world.size(), 2);
-  const GasInput input = spout(GetParam());
+  const GasInput input = probed_spout(GetParam());
   GasSolver one(input, self());
   GasSolver two(input, world);
-  const GasReport r1 = run(one, 0, 4);
-  const GasReport r2 = run(two, 0, 4);
+  const GasReport r1 = run_spout(one, 0, 4);
+  const GasReport r2 = run_spout(two, 0, 4);
   // Both solve to 1e-11 of the inflow a cell, by different ways; errors add up over grid and steps.
   constexpr double tolerance = 1e-7;
   for (int d = 0; d < 3; ++d)
@@ -68,14 +45,14 @@ TEST_P(gas_split, two_ranks_give_what_one_gives) {
 TEST_P(gas_split, checkpoint_of_two_ranks_goes_on_bitwise) {
   const Communicator world(MPI_COMM_WORLD);
   const std::string file = testing::TempDir() + "gas_split_test.h5";
-  const GasInput input = spout(GetParam());
+  const GasInput input = probed_spout(GetParam());
   GasSolver whole(input, world);
-  run(whole, 0, 2);
+  run_spout(whole, 0, 2);
   whole.write_checkpoint(file);
-  run(whole, 2, 4);
+  run_spout(whole, 2, 4);
   GasSolver second(input, world);
   second.read_checkpoint(file);
-  run(second, 2, 4);
+  run_spout(second, 2, 4);
   for (int d = 0; d < 3; ++d)
     EXPECT_TRUE(std::equal(whole.state().velocity[d].begin(), whole.state().velocity[d].end(),
                            second.state().velocity[d].begin()));

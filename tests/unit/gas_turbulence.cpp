@@ -259,13 +259,7 @@ TEST(gas_turbulence, walls_and_gas_may_move_together) {
 }
 
 GasInput jet_in_bed(TurbulenceModel model) {
-  GasInput input = box({12, 6, 40}, Vec3(0.048, 0.024, 0.16), walls);
-  input.sides[5] = &outlet;
-  InflowPatch jet;
-  jet.side = 4;
-  jet.outline.bounds = {{0.024, 0.012}, {0.028, 0.016}};
-  jet.velocity = 150;
-  input.inflows = {jet};
+  GasInput input = thin_jet();
   input.step = 0.5e-3;
   input.turbulence.model = model;
   return input;

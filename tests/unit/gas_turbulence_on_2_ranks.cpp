@@ -8,31 +8,10 @@ namespace {
 
 using namespace gas_cases;
 
-GasInput spout(const Int3& cells, TurbulenceModel model) {
-  GasInput input = box(cells, Vec3(0.06, 0.05, 0.14), walls);
-  input.sides[5] = &outlet;
-  input.sides[2] = input.sides[3] = &periodic_side;
-  InflowPatch jet;
-  jet.side = 4;
-  jet.outline = {{{0.021, 0.011}, {0.039, 0.029}}, true};
-  jet.velocity = 20;
-  input.inflows = {jet};
-  input.tolerance = 1e-11;
+GasInput turbulent_spout(const Int3& cells, TurbulenceModel model) {
+  GasInput input = endless_spout(cells, 20, 1e-11);
   input.turbulence.model = model;
   return input;
-}
-
-void run(GasSolver& gas, int from, int to) {
-  for (int n = from; n < to; ++n) {
-    set_bed(
-        gas,
-        [n](int i, int j, int k) {
-          return 0.4 + (k < 7 ? 0.0 : 0.58) + 0.02 * scatter(i + n, j, k);
-        },
-        [](int i, int j, int k) { return 2e3 * scatter(k, i, j); },
-        [](int i, int j, int k) { return 30 * scatter(j, k, i); });
-    gas.advance(1e-3);
-  }
 }
 
 class gas_turbulence_split : public testing::TestWithParam<std::tuple<Int3, TurbulenceModel>> {};
@@ -41,10 +20,10 @@ TEST_P(gas_turbulence_split, two_ranks_give_what_one_gives) {
   const Communicator world(MPI_COMM_WORLD);
   ASSERT_EQ(world.size(), 2);
   const auto& [cells, model] = GetParam();
-  GasSolver one(spout(cells, model), self());
-  GasSolver two(spout(cells, model), world);
-  run(one, 0, 4);
-  run(two, 0, 4);
+  GasSolver one(turbulent_spout(cells, model), self());
+  GasSolver two(turbulent_spout(cells, model), world);
+  run_spout(one, 0, 4);
+  run_spout(two, 0, 4);
   // Both solve to 1e-11 by sweeps in another order; errors add up over grid and steps.
   constexpr double tolerance = 1e-8;
   for (int d = 0; d < 3; ++d)
@@ -61,7 +40,7 @@ TEST_P(gas_turbulence_split, two_ranks_give_what_one_gives) {
   });
   EXPECT_LT(worst, tolerance);
   for (int side = 0; side < side_count; ++side) {
-    if (!two.domain().touches(side) || !spout(cells, model).sides[side]->sticks) continue;
+    if (!two.domain().touches(side) || !turbulent_spout(cells, model).sides[side]->sticks) continue;
     const Array3<double>& mine = two.turbulence()->wall_coefficient(side);
     const Array3<double>& all = one.turbulence()->wall_coefficient(side);
     for_each_cell(intersection(mine.box(), two.own().grown(1)), [&](int i, int j, int k) {
@@ -75,13 +54,13 @@ TEST_P(gas_turbulence_split, checkpoint_of_two_ranks_goes_on_bitwise) {
   const Communicator world(MPI_COMM_WORLD);
   const std::string file = testing::TempDir() + "gas_turbulence_split_test.h5";
   const auto& [cells, model] = GetParam();
-  GasSolver whole(spout(cells, model), world);
-  run(whole, 0, 2);
+  GasSolver whole(turbulent_spout(cells, model), world);
+  run_spout(whole, 0, 2);
   whole.write_checkpoint(file);
-  run(whole, 2, 4);
-  GasSolver second(spout(cells, model), world);
+  run_spout(whole, 2, 4);
+  GasSolver second(turbulent_spout(cells, model), world);
   second.read_checkpoint(file);
-  run(second, 2, 4);
+  run_spout(second, 2, 4);
   for (int d = 0; d < 3; ++d)
     EXPECT_TRUE(std::equal(whole.state().velocity[d].begin(), whole.state().velocity[d].end(),
                            second.state().velocity[d].begin()));
