@@ -1,5 +1,6 @@
 #include "coupling/base/decomposition.h"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -35,16 +36,26 @@ std::optional<Int3> best_layout(const BoxGrid& grid, int ranks, int min_cells) {
   return best;
 }
 
+// The greatest number of ranks up to `most` for which a layout fits: for every cut of two axes the
+// third is cut as often as it can be.
+int greatest_that_fits(const BoxGrid& grid, int most, int min_cells) {
+  const auto cuts = [&](int axis) { return std::max(1, grid.cells[axis] / min_cells); };
+  int greatest = 1;
+  for (int px = 1; px <= std::min(cuts(0), most); ++px)
+    for (int py = 1; py <= std::min(cuts(1), most / px); ++py)
+      greatest = std::max(greatest, px * py * std::min(cuts(2), most / (px * py)));
+  return greatest;
+}
+
 }  // namespace
 
 Int3 rank_layout(const BoxGrid& grid, int ranks, int min_cells) {
   if (const auto layout = best_layout(grid, ranks, min_cells)) return *layout;
-  int fewer = ranks - 1;
-  while (fewer > 1 && !best_layout(grid, fewer, min_cells)) --fewer;
   fail(
       "{} gas ranks cannot share a grid of {} x {} x {} cells with at least {} cells a side: use "
       "{}.",
-      ranks, grid.cells[0], grid.cells[1], grid.cells[2], min_cells, fewer);
+      ranks, grid.cells[0], grid.cells[1], grid.cells[2], min_cells,
+      greatest_that_fits(grid, ranks - 1, min_cells));
 }
 
 std::vector<IndexBox> decompose(const BoxGrid& grid, int ranks, int min_cells) {
