@@ -34,7 +34,8 @@ std::vector<double> InputTable::list(const std::string& key,
     const auto value = number_of(element, range);
     if (!value) {
       const auto given = element.is_number() ? element.value<double>() : std::nullopt;
-      fault(key, fmt::format("every value of {} must be a number{}{}{}.", dotted(key), bounds,
+      fault(key, fmt::format("every value of {} must be a{} number{}{}{}.", dotted(key),
+                             given && !std::isfinite(*given) ? " finite" : "", bounds,
                              in_unit(unit), given ? fmt::format(", {} is not", *given) : ""));
       return otherwise;
     }

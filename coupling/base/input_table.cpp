@@ -50,6 +50,11 @@ int InputTable::line(const std::string& key) const {
 
 void InputTable::fault(const std::string& key, const std::string& message) {
   input_->faults_.emplace_back(line(key), message);
+  input_->keys_at_fault_.emplace(table_, key);
+}
+
+bool InputTable::at_fault(const std::string& key) const {
+  return input_->keys_at_fault_.count({table_, key}) > 0;
 }
 
 InputTable InputTable::when(bool goes, const std::string& with, const std::string& remedy) const {
@@ -88,7 +93,8 @@ double InputTable::number(const std::string& key, std::optional<double> fallback
   if (node == nullptr) return otherwise;
   if (const auto value = number_of(*node, range)) return *value;
   const auto given = node->is_number() ? node->value<double>() : std::nullopt;
-  fault(key, given ? fmt::format("{} = {} is out of range: it must be {}{}.", dotted(key), *given,
+  fault(key, given ? fmt::format("{} = {} is {}: it must be {}{}.", dotted(key), *given,
+                                 std::isfinite(*given) ? "out of range" : "not finite",
                                  range.text(), in_unit(unit))
                    : fmt::format("{} must be a number{}.", dotted(key), in_unit(unit)));
   return otherwise;
@@ -139,8 +145,12 @@ InputTable InputTable::table(const std::string& key) {
   const std::string heading = "[" + dotted(key) + "]";
   const toml::node* node = find_table(key);
   const toml::table* table = node == nullptr ? nullptr : node->as_table();
-  if (node != nullptr && table == nullptr)
+  if (node != nullptr && table == nullptr) {
     fault(key, fmt::format("{} must be a table: {}.", dotted(key), heading));
+    // What [[name]] holds is no less to be read.
+    if (const toml::array* elements = node->as_array(); elements != nullptr && !elements->empty())
+      table = elements->get(0)->as_table();
+  }
   return {input_, table, dotted(key), heading, node == nullptr ? line_ : line_of(*node)};
 }
 
@@ -150,16 +160,19 @@ std::vector<InputTable> InputTable::tables(const std::string& key) {
   std::vector<InputTable> result;
   if (input_->describes_) result.push_back({input_, nullptr, dotted(key), heading, line_});
   if (node == nullptr) return result;
-  const toml::array* elements = node->as_array();
-  const bool right = elements != nullptr &&
-                     std::all_of(elements->begin(), elements->end(),
-                                 [](const toml::node& element) { return element.is_table(); });
-  if (!right) {
-    fault(key, fmt::format("{} must be a list of tables: {}.", dotted(key), heading));
-    return result;
+  const auto add = [&](const toml::node& element) {
+    const toml::table* table = element.as_table();
+    if (table != nullptr) result.push_back({input_, table, dotted(key), heading, line_of(element)});
+    return table != nullptr;
+  };
+  bool right = false;
+  if (const toml::array* elements = node->as_array()) {
+    right = true;
+    for (const auto& element : *elements) right = add(element) && right;
+  } else {
+    add(*node);  // what [name] holds is no less to be read
   }
-  for (const auto& element : *elements)
-    result.push_back({input_, element.as_table(), dotted(key), heading, line_of(element)});
+  if (!right) fault(key, fmt::format("{} must be a list of tables: {}.", dotted(key), heading));
   return result;
 }
 

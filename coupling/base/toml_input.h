@@ -9,6 +9,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -79,6 +80,8 @@ class InputTable {
   [[nodiscard]] int line(const std::string& key) const;
   // Adds a fault found by the caller, at the line of `key`. `message` goes on after 'file:line: '.
   void fault(const std::string& key, const std::string& message);
+  // Whether a fault of the key has been told: what it yields is then no ground for another one.
+  [[nodiscard]] bool at_fault(const std::string& key) const;
 
  private:
   friend class TomlInput;
@@ -133,7 +136,8 @@ class TomlInput {
   std::unique_ptr<Document> document_;
   bool describes_ = false;                           // for key_table
   std::vector<std::pair<int, std::string>> faults_;  // line, message
-  std::vector<InputKey> known_;                      // asked for
+  std::set<std::pair<const toml::table*, std::string>> keys_at_fault_;
+  std::vector<InputKey> known_;  // asked for
 };
 
 }  // namespace gasgrain

@@ -29,14 +29,15 @@ bool read_grid(InputTable table, GasInput& input) {
   grid.cells = table.int3("cells", std::nullopt, Range::within(1, 100000));
   input.plane_of_spheres = table.number("plane_of_spheres", 0.0, Range::positive(), "m");
   table.note_default("plane_of_spheres", "none");
-  bool usable = table.has("lo") && table.has("hi") && table.has("cells");
+  bool usable = true;
+  for (const char* key : {"lo", "hi", "cells"})
+    usable = usable && table.has(key) && !table.at_fault(key);
   for (int d = 0; d < 3 && usable; ++d) {
     if (!(grid.hi[d] > grid.lo[d])) {
       table.fault("hi", fmt::format("grid.hi must be above grid.lo along {}, but {} <= {}.",
                                     "xyz"[d], grid.hi[d], grid.lo[d]));
       usable = false;
     }
-    usable = usable && grid.cells[d] > 0;
   }
   if (!usable) grid = BoxGrid{};
   if (usable && input.plane_of_spheres > 0) make_plane(table, input);

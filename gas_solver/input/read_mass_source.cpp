@@ -27,7 +27,8 @@ void read_mass_sources(InputTable& root, bool grid_known, GasInput& input) {
     source.lo = table.vec3("lo", std::nullopt, Range::any(), "m");
     source.hi = table.vec3("hi", std::nullopt, Range::any(), "m");
     source.rate = table.number("rate", std::nullopt, Range::any(), "kg/s");
-    if (grid_known && table.has("lo") && table.has("hi")) check_box(table, input.grid, source);
+    const auto right = [&](const char* key) { return table.has(key) && !table.at_fault(key); };
+    if (grid_known && right("lo") && right("hi")) check_box(table, input.grid, source);
     input.mass_sources.push_back(source);
   }
 }

@@ -9,6 +9,12 @@ void read_measures(InputTable bed, InputTable output, bool grid_known, GasInput&
   input.bubble_void_fraction =
       bed.number("bubble_void_fraction", input.bubble_void_fraction, Range::within(0, 1), "1");
   input.output_every = output.number("every", input.output_every, Range::not_negative(), "s");
+  if (input.end > most_steps * input.output_every && input.output_every > 0)
+    output.fault("every", fmt::format("output.every = {} s makes {:.3g} snapshots until time.end = "
+                                      "{} s, at most {:.0e} fit: raise it to {:.3g} s, or leave it "
+                                      "out.",
+                                      input.output_every, input.end / input.output_every, input.end,
+                                      most_steps, step_that_fits(input.end)));
   input.checkpoint_every =
       output.number("checkpoint_every", input.checkpoint_every, Range::not_negative(), "s");
   input.pressure_probes =

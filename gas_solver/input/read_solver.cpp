@@ -58,6 +58,12 @@ void read_time(InputTable table, bool alone, GasInput& input) {
   const std::optional<double> end = alone ? std::nullopt : std::optional<double>(0.0);
   input.end = table.number("end", end, Range::not_negative(), "s");
   table.note_default("end", "required alone");
+  if (input.end / input.step > most_steps && !table.at_fault("step"))
+    table.fault("end",
+                fmt::format("time.end = {} s takes {:.3g} steps of time.step = {} s, at most "
+                            "{:.0e} fit: raise time.step to {:.3g} s, or lower time.end.",
+                            input.end, input.end / input.step, input.step, most_steps,
+                            step_that_fits(input.end)));
 }
 
 void read_solver(InputTable table, GasInput& input) {

@@ -6,6 +6,13 @@
 
 namespace gasgrain {
 
+// Of a run: beyond, times are no longer told apart.
+inline constexpr double most_steps = 1e9;
+// A length of a step that fits, for messages: three digits of it are not too short.
+inline double step_that_fits(double end) {
+  return 1.01 * end / most_steps;
+}
+
 // False when the grid is at fault: what must fit into it is then not checked against it.
 bool read_grid(InputTable table, GasInput& input);
 void read_gas(InputTable table, GasInput& input);

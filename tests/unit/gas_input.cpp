@@ -111,6 +111,65 @@ TEST(gas_input, faulty_grid_does_not_raise_faults_of_what_lies_in_it) {
   EXPECT_EQ(faults.find("inflow"), std::string::npos) << faults;
 }
 
+TEST(gas_input, corner_of_the_grid_that_is_no_number_is_one_fault) {
+  for (const char* corner :
+       {"[0.15, nan, 1.0]", "[0.15, \"wide\", 1.0]", "[inf, 0.02, 1.0]", "[0.15, 0.02]", "0.15"}) {
+    const std::string hi = faults_of(changed("[0.15, 0.02, 1.0]", corner));
+    EXPECT_NE(hi.find(":3: "), std::string::npos) << hi;
+    EXPECT_EQ(hi.find('\n'), std::string::npos) << hi;
+    const std::string lo = faults_of(changed("[0, 0, 0]", corner));
+    EXPECT_NE(lo.find(":2: "), std::string::npos) << lo;
+    EXPECT_EQ(lo.find('\n'), std::string::npos) << lo;
+  }
+  expect_fault(changed("[0.15, 0.02, 1.0]", "[0.15, nan, 1.0]"),
+               "every value of grid.hi must be a finite number in m, nan is not.");
+}
+
+TEST(gas_input, corner_of_a_mass_source_that_is_no_number_is_one_fault) {
+  const std::string faults =
+      faults_of(right + "[[mass_source]]\nlo = [0, 0, 0]\nhi = [0.1, nan, 0.1]\nrate = 0\n");
+  EXPECT_NE(faults.find("every value of mass_source.hi"), std::string::npos) << faults;
+  EXPECT_EQ(faults.find('\n'), std::string::npos) << faults;
+}
+
+TEST(gas_input, table_in_place_of_a_list_of_tables_is_one_fault_and_is_read) {
+  const std::string faults = faults_of(changed("[[inflow]]", "[inflow]"));
+  EXPECT_NE(faults.find(":9: inflow must be a list of tables: [[inflow]]."), std::string::npos)
+      << faults;
+  EXPECT_EQ(faults.find('\n'), std::string::npos) << faults;
+  expect_fault(changed("[[inflow]]\nside = \"z_lo\"", "[inflow]\nsid = \"z_lo\""),
+               "the key inflow.sid is unknown. Did you mean \"side\"?");
+}
+
+TEST(gas_input, list_of_tables_in_place_of_a_table_is_one_fault_and_is_read) {
+  const std::string faults = faults_of(changed("[grid]", "[[grid]]"));
+  EXPECT_NE(faults.find(":1: grid must be a table: [grid]."), std::string::npos) << faults;
+  EXPECT_EQ(faults.find('\n'), std::string::npos) << faults;
+}
+
+TEST(gas_input, end_of_time_is_finite) {
+  expect_fault(changed("end = 1\n", "end = inf\n"),
+               ":6: time.end = inf is not finite: it must be at least 0 in s.");
+  expect_fault(changed("end = 1\n", "end = nan\n"), "time.end = nan is not finite");
+}
+
+TEST(gas_input, more_steps_than_times_can_tell_apart_are_refused_with_a_step_that_fits) {
+  expect_fault(changed("end = 1\n", "end = 1\nstep = 1e-10\n"),
+               ":6: time.end = 1 s takes 1e+10 steps of time.step = 1e-10 s, at most 1e+09 fit: "
+               "raise time.step to 1.01e-09 s, or lower time.end.");
+  EXPECT_EQ(faults_of(changed("end = 1\n", "end = 1\nstep = 1e-9\n")), "");
+  EXPECT_EQ(faults_of(changed("end = 1\n", "end = 1e7\nstep = -1\n")).find("fit"),
+            std::string::npos);
+}
+
+TEST(gas_input, more_snapshots_than_times_can_tell_apart_are_refused_with_an_interval_that_fits) {
+  expect_fault(right + "[output]\nevery = 1e-10\n",
+               ":16: output.every = 1e-10 s makes 1e+10 snapshots until time.end = 1 s, at most "
+               "1e+09 fit: raise it to 1.01e-09 s, or leave it out.");
+  EXPECT_EQ(faults_of(right + "[output]\nevery = 1e-9\n"), "");
+  EXPECT_EQ(faults_of(right + "[output]\nevery = 0\n"), "");
+}
+
 TEST(gas_input, faulty_patch_does_not_raise_faults_of_where_it_lies) {
   for (const char* line : {"diameter = 0.005", "center = [0.075, 0.01]"}) {
     const std::string faults =
