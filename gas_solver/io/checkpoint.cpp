@@ -3,6 +3,8 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 
 #include "coupling/base/error.h"
 #include "gas_solver/io/disk.h"
@@ -97,6 +99,11 @@ CheckpointWriter::~CheckpointWriter() {
 
 CheckpointReader::CheckpointReader(const std::string& file, const Domain& domain)
     : CheckpointFile(file, domain) {
+  // MPI would try to read the folder, and tell of each of its many failures.
+  std::error_code unknown;
+  if (std::filesystem::is_directory(file, unknown))
+    fail("{} is a folder: name the checkpoint in it, such as {}.", file,
+         (std::filesystem::path(file) / "gas.checkpoint.h5").string());
   file_ = std::make_unique<ParallelFile>(file, ParallelFile::Mode::read, domain.comm());
   if (!file_->has_numbers("/", "gas_checkpoint_version"))
     fail("{} is an HDF5 file, but no gas checkpoint.", file);

@@ -44,6 +44,18 @@ class Restart(unittest.TestCase):
             self.assertNotEqual(status, 0, text)
             self.assertIn("another choice of [gas] law, [turbulence] model", text)
 
+    def test_a_folder_in_place_of_a_checkpoint_is_told_in_one_message(self):
+        for ranks in (1, 2):
+            with self.subTest(ranks=ranks), Run() as run:
+                self.run_ok(run, end=0.01)
+                status, text, _ = run.gas("--restart", str(run.out), ranks=ranks)
+                self.assertNotEqual(status, 0, text)
+                self.assertNotIn("Is a directory", text)
+                messages = [line for line in text.splitlines() if "error:" in line]
+                self.assertEqual(messages, [
+                    f"gasgrain-gas: error: {run.out} is a folder: name the checkpoint in it, such as "
+                    f"{run.out}/gas.checkpoint.h5."])
+
     def test_snapshots_of_another_grid_are_not_mixed(self):
         with Run() as run, Run() as other:
             self.run_ok(run, end=0.01, every=0.01)
