@@ -16,11 +16,11 @@
 #include "coupling/transport/launch.h"
 #include "gas_solver/coupling_port.h"
 #include "gas_solver/gas_step.h"
-#include "gas_solver/io/clamp_counts.h"
 #include "gas_solver/io/disk.h"
 #include "gas_solver/io/file_locks.h"
 #include "gas_solver/io/history.h"
 #include "gas_solver/io/progress.h"
+#include "gas_solver/io/run_warnings.h"
 #include "gas_solver/io/snapshots.h"
 
 namespace gasgrain {
@@ -70,7 +70,7 @@ void run_alone(const Options& options, const GasInput& input, const Communicator
 
   RunProgress progress(gas.time(), input.end, output_on_terminal());
   SubstepNote note(input, gas.time());
-  ClampCounts clamps;
+  RunWarnings warnings;
   const double interval =
       input.output_every > 0 ? input.output_every : default_interval_steps * input.step;
   const double round_off = 1e-9 * std::min(interval, input.end);
@@ -89,14 +89,14 @@ void run_alone(const Options& options, const GasInput& input, const Communicator
       written = checkpoints_due(gas, input);
     }
     if (history) history->add(report);
-    clamps.add(report);
+    warnings.add(report);
     if (snapshots) snapshots->write(gas);
     if (!comm.is_root()) continue;
     if (const std::string text = note.after(report); !text.empty()) progress.tell(text);
     progress.show(report);
   }
   progress.finish();
-  if (comm.is_root() && !clamps.text().empty()) progress.tell(clamps.text());
+  if (comm.is_root() && !warnings.text().empty()) progress.tell(warnings.text());
   gas.write_checkpoint(options.out + "/gas.checkpoint.h5");
   write_ledger(gas, options.out, comm);
 }

@@ -1,4 +1,4 @@
-#include "gas_solver/io/clamp_counts.h"
+#include "gas_solver/io/run_warnings.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 
 namespace gasgrain {
 
-void ClampCounts::add(const GasReport& report) {
+void RunWarnings::add(const GasReport& report) {
   momentum_ += report.momentum_not_converged;
   pressure_ += report.pressure_not_converged;
   outer_ += report.outer_not_converged;
@@ -15,7 +15,7 @@ void ClampCounts::add(const GasReport& report) {
   backflow_ = std::max(backflow_, report.backflow_faces);
 }
 
-std::string ClampCounts::text() const {
+std::string RunWarnings::text() const {
   std::string lines;
   const auto add = [&](long count, const char* what) {
     if (count > 0) lines += fmt::format("{}{} {}", lines.empty() ? "" : "\n", count, what);

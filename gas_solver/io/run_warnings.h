@@ -1,4 +1,5 @@
-// What acted in a run although a good run does without: counted, and told at its end.
+// What a run did that a good one does without: tolerances missed, values cut, gas drawn in through
+// an outlet. Counted over its intervals, and told at its end.
 #pragma once
 
 #include <string>
@@ -7,7 +8,7 @@
 
 namespace gasgrain {
 
-class ClampCounts {
+class RunWarnings {
  public:
   void add(const GasReport& report);
   // A line each of what is not 0; empty when nothing is.
