@@ -66,7 +66,7 @@ void run_alone(const Options& options, const GasInput& input, const Communicator
     snapshots = std::make_unique<Snapshots>(options.out, gas.domain(), begin);
   std::unique_ptr<History> history;
   if (comm.is_root()) history = std::make_unique<History>(options.out, input, begin);
-  if (snapshots && !restarted) snapshots->write(gas);
+  if (snapshots && !snapshots->end_at(gas.time())) snapshots->write(gas);
 
   RunProgress progress(gas.time(), input.end, output_on_terminal());
   SubstepNote note(input, gas.time());

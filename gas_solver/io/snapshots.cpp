@@ -84,6 +84,10 @@ Snapshots::Snapshots(const std::string& folder, const Domain& domain, double res
 
 Snapshots::~Snapshots() = default;
 
+bool Snapshots::end_at(double time) const {
+  return !snapshots_.empty() && snapshots_.back().time == time;
+}
+
 void Snapshots::write(const GasSolver& gas) {
   const std::string group = group_name(snapshots_.size());
   const IndexBox own = domain_.own();

@@ -20,6 +20,8 @@ class Snapshots {
   Snapshots(const std::string& folder, const Domain& domain, double restart_time = -1);
   ~Snapshots();
 
+  // Whether the last one is of this time: a run that goes on in its folder has that it begins with.
+  [[nodiscard]] bool end_at(double time) const;
   // Collective.
   void write(const GasSolver& gas);
 

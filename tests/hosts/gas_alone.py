@@ -7,6 +7,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import xml.etree.ElementTree as xml
 from pathlib import Path
 
 BIN = Path(sys.argv.pop(1) if len(sys.argv) > 1 else "build").resolve()
@@ -40,6 +41,11 @@ class Run:
 
     def __exit__(self, *_):
         shutil.rmtree(self.folder, ignore_errors=True)
+
+    def snapshot_times(self):
+        """As the file for ParaView lists them."""
+        times = xml.parse(self.out / "gas.xdmf").getroot().findall("./Domain/Grid/Grid/Time")
+        return [float(time.get("Value")) for time in times]
 
     def gas(self, *options, ranks=1, end=0.02, every=0.0, cells="[8, 8, 16]", blocks=None,
             preload="", timeout=60, more=""):

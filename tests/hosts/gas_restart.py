@@ -37,6 +37,17 @@ class Restart(unittest.TestCase):
                             every=0.01, more=more)
                 self.assertEqual((run.out / "history.csv").read_bytes(), whole)
 
+    def test_snapshots_begin_where_the_run_does_and_no_time_comes_twice(self):
+        for ranks in (1, 2):
+            with self.subTest(ranks=ranks), Run() as run:
+                self.run_ok(run, ranks=ranks, end=0.02, every=0.01)
+                restart = ("--restart", str(run.out / "gas.checkpoint.h5"))
+                self.run_ok(run, *restart, ranks=ranks, end=0.03, every=0.01)
+                self.assertEqual(run.snapshot_times(), [0, 0.01, 0.02, 0.03])
+                run.out = run.folder / "new"
+                self.run_ok(run, *restart, ranks=ranks, end=0.04, every=0.01)
+                self.assertEqual(run.snapshot_times(), [0.03, 0.04])
+
     def test_a_checkpoint_of_other_choices_is_refused_by_name(self):
         with Run() as run:
             self.run_ok(run, end=0.01, more=CHOICES)
