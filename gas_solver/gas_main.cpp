@@ -22,6 +22,7 @@
 #include "gas_solver/io/progress.h"
 #include "gas_solver/io/run_warnings.h"
 #include "gas_solver/io/snapshots.h"
+#include "gas_solver/io/stop_wish.h"
 
 namespace gasgrain {
 namespace {
@@ -54,7 +55,9 @@ long checkpoints_due(const GasSolver& gas, const GasInput& input) {
   return static_cast<long>(std::floor(gas.time() / input.checkpoint_every + round_off));
 }
 
-void run_alone(const Options& options, const GasInput& input, const Communicator& comm) {
+// The exit status. A wish to stop is met at the end of an interval.
+int run_alone(const Options& options, const GasInput& input, const Communicator& comm) {
+  catch_stop_wishes(comm.is_root());
   GasSolver gas(input, comm);
   if (comm.is_root()) std::filesystem::create_directories(options.out);
   MPI_Barrier(comm.handle());
@@ -74,18 +77,22 @@ void run_alone(const Options& options, const GasInput& input, const Communicator
   const double interval =
       input.output_every > 0 ? input.output_every : default_interval_steps * input.step;
   const double round_off = 1e-9 * std::min(interval, input.end);
-  if (comm.is_root() && gas.time() >= input.end - round_off)
+  const auto goes_on = [&] { return gas.time() < input.end - round_off; };
+  if (comm.is_root() && !goes_on())
     progress.tell(fmt::format("nothing to do: the gas is at {} s, [time] end is {} s", gas.time(),
                               input.end));
+  const std::string checkpoint = options.out + "/gas.checkpoint.h5";
   long written = checkpoints_due(gas, input);
-  while (gas.time() < input.end - round_off) {
+  int wish = 0;
+  while (goes_on() && wish == 0) {
     // Intervals end at multiples of their length, so that a restarted run has the same ones.
     const double next = interval * (std::floor((gas.time() + round_off) / interval) + 1);
     const GasReport report = gas.advance(std::min(next, input.end) - gas.time());
     // A run that goes on from a checkpoint at this time has learnt nothing either.
     gas.forget();
-    if (checkpoints_due(gas, input) > written && gas.time() < input.end - round_off) {
-      gas.write_checkpoint(options.out + "/gas.checkpoint.h5");
+    wish = static_cast<int>(comm.max(stop_wish()));
+    if (checkpoints_due(gas, input) > written && goes_on() && wish == 0) {
+      gas.write_checkpoint(checkpoint);
       written = checkpoints_due(gas, input);
     }
     if (history) history->add(report);
@@ -97,8 +104,13 @@ void run_alone(const Options& options, const GasInput& input, const Communicator
   }
   progress.finish();
   if (comm.is_root() && !warnings.text().empty()) progress.tell(warnings.text());
-  gas.write_checkpoint(options.out + "/gas.checkpoint.h5");
+  gas.write_checkpoint(checkpoint);
   write_ledger(gas, options.out, comm);
+  if (wish == 0 || !goes_on()) return 0;
+  if (comm.is_root())
+    progress.tell(fmt::format("stopped at t = {:.6g} of {} s: go on with --restart {}", gas.time(),
+                              input.end, checkpoint));
+  return status_after(wish);
 }
 
 // Serves the DEM program of the launch; its intervals pace the output.
@@ -134,7 +146,8 @@ void run_coupled(const Options& options, const GasInput& input, const Launch& la
   write_ledger(gas, options.out, comm);
 }
 
-void run(const Options& options, const Launch& launch) {
+// The exit status.
+int run(const Options& options, const Launch& launch) {
   const Communicator& comm = launch.local();
   const bool alone = !options.check && !launch.has_partner();
   const GasInput input = read_gas_input(options.input, alone);
@@ -144,10 +157,11 @@ void run(const Options& options, const Launch& launch) {
       fail("--check reads the input only: leave it out of a coupled launch.");
     if (comm.is_root()) fmt::print("ok\n");
   } else if (alone) {
-    run_alone(options, input, comm);
+    return run_alone(options, input, comm);
   } else {
     run_coupled(options, input, launch);
   }
+  return 0;
 }
 
 // One message; every rank of both programs ends.
@@ -192,7 +206,8 @@ int parse(int argc, char** argv, Options& options) {
 int main(int argc, char** argv) {
   gasgrain::open_files_without_semaphores();
   MPI_Init(&argc, &argv);
-  // mpirun passes the wish to stop on to all; the DEM program decides when, the gas follows it.
+  // mpirun passes the wish to stop on to all; the DEM program decides when, the gas follows it. A
+  // run of the gas alone catches it later.
   std::signal(SIGUSR1, SIG_IGN);
   // A file that grows over the process' limit is then an error of writing, with a message.
   std::signal(SIGXFSZ, SIG_IGN);
@@ -207,8 +222,7 @@ int main(int argc, char** argv) {
     } else {
       const gasgrain::Launch launch(gasgrain::Program::gas);
       local = launch.local();
-      gasgrain::run(options, launch);
-      status = 0;
+      status = gasgrain::run(options, launch);
     }
   } catch (const std::bad_alloc&) {
     gasgrain::stop(local,

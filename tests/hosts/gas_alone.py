@@ -47,10 +47,11 @@ class Run:
         times = xml.parse(self.out / "gas.xdmf").getroot().findall("./Domain/Grid/Grid/Time")
         return [float(time.get("Value")) for time in times]
 
-    def gas(self, *options, ranks=1, end=0.02, every=0.0, cells="[8, 8, 16]", blocks=None,
-            preload="", timeout=60, more=""):
-        """(exit status, everything printed, seconds). `blocks`: limit of a file's size, of 512 B;
-        `preload`: a library that stands before the system's; `more`: of gas.toml, after [output]."""
+    def start(self, *options, ranks=1, end=0.02, every=0.0, cells="[8, 8, 16]", blocks=None,
+              preload="", more=""):
+        """The process: mpirun, or the program itself where `ranks` is 0. `blocks`: limit of a file's
+        size, of 512 B; `preload`: a library that stands before the system's; `more`: of gas.toml,
+        after [output]."""
         text = GAS
         for mark, value in {"end": end, "every": every, "cells": cells}.items():
             text = text.replace(f"@{mark}@", str(value))
@@ -60,13 +61,18 @@ class Run:
         # Only the ranks are limited, and not their shared memory, which is files too.
         environment = dict(os.environ, OMPI_MCA_mpi_yield_when_idle="1", OMPI_MCA_btl="tcp,self",
                            OMP_NUM_THREADS="1")
-        begin = time.monotonic()
-        process = subprocess.Popen(
-            ["mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none",
-             "-np", str(ranks), "sh", "-c", limit + 'exec "$0" "$@"', str(BIN / "gasgrain-gas"),
+        launch = ["mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none",
+                  "-np", str(ranks)] if ranks > 0 else []
+        return subprocess.Popen(
+            [*launch, "sh", "-c", limit + 'exec "$0" "$@"', str(BIN / "gasgrain-gas"),
              "gas.toml", "--out", str(self.out), *options],
             cwd=self.folder, env=environment, text=True, stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True)
+
+    def gas(self, *options, timeout=60, **choices):
+        """(exit status, everything printed, seconds) of a run as of start()."""
+        begin = time.monotonic()
+        process = self.start(*options, **choices)
         try:
             text, _ = process.communicate(timeout=timeout)
         except subprocess.TimeoutExpired:
