@@ -58,7 +58,7 @@ void HistoryFile::write(const std::vector<double>& values) {
   if (values.size() != columns_)
     fail("{}: a line of {} values for {} columns.", name_, values.size(), columns_);
   for (std::size_t c = 0; c < values.size(); ++c)
-    std::fprintf(file_.get(), "%s%.9g", c == 0 ? "" : ",", values[c]);
+    std::fprintf(file_.get(), "%s%.13g", c == 0 ? "" : ",", values[c]);
   std::fputc('\n', file_.get());
   if (std::fflush(file_.get()) != 0)
     fail("{} cannot be written on ({}): free some space; the last checkpoint is whole.", name_,

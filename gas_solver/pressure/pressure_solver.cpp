@@ -1,5 +1,7 @@
 #include "gas_solver/pressure/pressure_solver.h"
 
+#include <cmath>
+
 #include "coupling/base/error.h"
 #include "gas_solver/pressure/conjugate_gradients.h"
 #include "gas_solver/pressure/fftw_layers.h"
@@ -70,12 +72,20 @@ int PressureSolver::with_fftw(PressureSystem& system, int axis, int limit) {
   return go_on(system, limit);
 }
 
-// Gives up half way when most of the way is still to go.
+// Gives up on the way when too much of it is still to go.
 int PressureSolver::try_fftw(PressureSystem& system, int axis, int limit) {
-  constexpr double most = 2.0 / 3.0;
-  const double to_go = most * gradients_->decades();
-  const int iterations = with_fftw(system, axis, (limit + 1) / 2);
-  if (gradients_->decades() > to_go) return iterations;
+  struct Milestone {
+    double of_iterations;
+    double most_to_go;  // of the decades
+  };
+  constexpr Milestone milestones[] = {{0.25, 0.9}, {0.5, 2.0 / 3.0}};
+  const double decades = gradients_->decades();
+  int iterations = 0;
+  for (const Milestone& at : milestones) {
+    const int next = static_cast<int>(std::ceil(at.of_iterations * limit)) - iterations;
+    iterations += iterations == 0 ? with_fftw(system, axis, next) : go_on(system, next);
+    if (gradients_->decades() > at.most_to_go * decades) return iterations;
+  }
   return iterations + go_on(system, limit - iterations);
 }
 
