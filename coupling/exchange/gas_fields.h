@@ -18,8 +18,8 @@ enum class GasField : std::uint8_t {
   velocity,           // u, interstitial
   pressure_gradient,  // grad p
   vorticity,          // curl u
-  acceleration,       // Du/Dt, along the gas's own path
-  viscous_force,      // div tau
+  acceleration,       // Du/Dt = du/dt + u . grad u, along the gas's own path
+  viscous_force,      // div tau, with the molecular viscosity
   solids_velocity,    // mean over the solids, sum over all DEM ranks
   solid_volume,       // volume of solids in the cell
   solid_flux,         // sum of volume times velocity of the solids in the cell

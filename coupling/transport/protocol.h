@@ -16,7 +16,7 @@
 namespace gasgrain {
 
 // Raised with every change of a message's meaning or layout.
-constexpr int protocol_version = 3;
+constexpr int protocol_version = 4;
 
 // Message tags between the programs.
 enum Tag : int { hello_tag = 100, command_tag, report_tag, solids_tag, drag_tag, lent_tag };

@@ -18,7 +18,8 @@ enum class ForceKind : std::uint8_t {
   // Of the particle's acceleration a: m_a (Du/Dt - a), implicit in a.
   //   static double added_mass(const GasProperties&, double radius)                    [kg]
   added_mass,
-  // As added_mass, and of the past accelerations, which it remembers (basset.h).
+  // As added_mass, and of the past accelerations: both through an object of its type Memory, which
+  // knows the step, and a state of plain doubles a particle (basset_kernel.h).
   history,
 };
 
