@@ -12,10 +12,18 @@
 #include <variant>
 
 #include "coupling/exchange/choice_list.h"
+#include "coupling/exchange/forces/basset.h"
+#include "coupling/exchange/forces/lorentz.h"
+#include "coupling/exchange/forces/magnus.h"
 #include "coupling/exchange/forces/pressure_gradient.h"
+#include "coupling/exchange/forces/rotation_torque.h"
+#include "coupling/exchange/forces/saffman_mei.h"
+#include "coupling/exchange/forces/virtual_mass.h"
+#include "coupling/exchange/forces/viscous_stress.h"
 
 namespace gasgrain {
 
-using Force = std::variant<ForcePressureGradient>;
+using Force = std::variant<ForcePressureGradient, ForceViscousStress, ForceVirtualMass, ForceBasset,
+                           ForceSaffmanMei, ForceMagnus, ForceRotationTorque, ForceLorentz>;
 
 }  // namespace gasgrain
