@@ -43,6 +43,20 @@ DemHello meet(const GasSolver& solver, const GasInput& input, MPI_Comm partner,
   return greet_dem(solver.domain().comm(), partner, hello);
 }
 
+// The means that go to the particles.
+struct LentVector {
+  GasField field;
+  const CellVector& (GasSolver::*mean)() const;
+};
+
+constexpr std::array<LentVector, 5> lent_vectors{{
+    {GasField::velocity, &GasSolver::mean_velocity},
+    {GasField::pressure_gradient, &GasSolver::mean_pressure_gradient},
+    {GasField::vorticity, &GasSolver::mean_vorticity},
+    {GasField::acceleration, &GasSolver::mean_acceleration},
+    {GasField::viscous_force, &GasSolver::mean_viscous_force},
+}};
+
 }  // namespace
 
 CouplingPort::CouplingPort(GasSolver& solver, const GasInput& input, MPI_Comm partner,
@@ -58,6 +72,8 @@ CouplingPort::CouplingPort(GasSolver& solver, const GasInput& input, MPI_Comm pa
   const DemHello dem = meet(solver, input, partner, input_file);
   lent_ = FieldSet(dem.lent);
   taken_ = FieldSet(dem.taken);
+  solver.ask_for({lent_.has(GasField::vorticity), lent_.has(GasField::acceleration),
+                  lent_.has(GasField::viscous_force)});
   FieldSet used = lent_.united(taken_).add(GasField::void_fraction);
   if (taken_.has(GasField::drag_source)) used.add(GasField::drag_coefficient);
   fields_ = FieldStore(used, solver.own());
@@ -103,9 +119,8 @@ GasReport CouplingPort::couple(const Command& command) {
 
 void CouplingPort::send_lent(FieldSet fields) {
   const Stopwatch watch(solver_.costs(), cost_transport_);
-  if (lent_.has(GasField::velocity)) fields_.vector(GasField::velocity) = solver_.mean_velocity();
-  if (lent_.has(GasField::pressure_gradient))
-    fields_.vector(GasField::pressure_gradient) = solver_.mean_pressure_gradient();
+  for (const LentVector& lent : lent_vectors)
+    if (fields.has(lent.field)) fields_.vector(lent.field) = (solver_.*lent.mean)();
   const FieldList list = fields_.components(fields);
   if (!list.empty()) transport_.send(list, lent_tag);
 }

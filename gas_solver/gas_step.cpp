@@ -88,7 +88,7 @@ GasReport GasSolver::advance(double interval) {
     fail("the gas cannot advance by {} s: the interval must be positive.", interval);
   GasReport report;
   report.step = interval;
-  means_.clear();
+  means_.begin(state_.velocity, interval);
   const double begin = time_;
   double done = 0;
   while (done < interval) {
@@ -114,6 +114,7 @@ GasReport GasSolver::advance(double interval) {
     if (at_end < 1) means_.add_velocity(levels_.velocity_before(state_), (1 - at_end) * weight);
     means_.add_pressure(state_, weight);
   }
+  means_.end(state_.velocity, interval);
   report.time = time_;
   report.drag_impulse = means_.drag_force(state_) * interval;
   measure(report);

@@ -83,6 +83,11 @@ class GasSolver {
   [[nodiscard]] const CellVector& mean_pressure_gradient() const {
     return means_.pressure_gradient;
   }
+  // Further means are made from the next interval on, and are empty unless asked for.
+  void ask_for(const FurtherMeans& further) { means_.ask_for(further); }
+  [[nodiscard]] const CellVector& mean_vorticity() const { return means_.vorticity; }
+  [[nodiscard]] const CellVector& mean_acceleration() const { return means_.acceleration; }
+  [[nodiscard]] const CellVector& mean_viscous_force() const { return means_.viscous_force; }
 
   // Fields at the present time over own().
   [[nodiscard]] Array3<double> void_fraction() const;

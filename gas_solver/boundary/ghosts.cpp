@@ -48,6 +48,25 @@ void fill_ghost_velocities(const Domain& domain, const Walls& walls, int compone
   });
 }
 
+void fill_parabolic_velocities(const Domain& domain, const Walls& walls, int component,
+                               Array3<double>& velocity) {
+  for (int side = 0; side < side_count; ++side) {
+    const int axis = axis_of(side);
+    if (!domain.touches(side) || !walls.sides[side]->sticks || axis == component ||
+        domain.grid().cells[axis] == 1)
+      continue;
+    const double wall = walls.velocity[side][component];
+    const std::ptrdiff_t in = inward(side, velocity.stride(axis));
+    IndexBox layer = velocity.box();
+    layer.lo[axis] = is_high(side) ? domain.own().hi[axis] : domain.own().lo[axis] - 1;
+    layer.hi[axis] = layer.lo[axis] + 1;
+    for_each_cell(layer, [&](int i, int j, int k) {
+      const auto o = velocity.offset(i, j, k);
+      velocity[o] = velocity[o + 2 * in] / 3.0 - 2.0 * velocity[o + in] + 8.0 / 3.0 * wall;
+    });
+  }
+}
+
 void fill_ghost_fluxes(const Domain& domain, int component, Array3<double>& flux) {
   fill(domain, component, flux, [](int) { return Mirror{}; });
 }

@@ -13,6 +13,12 @@ namespace gasgrain {
 void fill_ghost_cells(const Domain& domain, Array3<double>& cells);
 void fill_ghost_velocities(const Domain& domain, const Walls& walls, int component,
                            Array3<double>& velocity);
+// Instead of the mirrored first layer outside of sides where the gas sticks, the value that a
+// parabola through the side's velocity U and the two faces inside makes of it, u_1 / 3 - 2 u_0 +
+// 8/3 U: differences across the side are then of second order there too, and the stress is that of
+// the momentum equation (momentum/side_rows.h). Mirrored where there is one cell only.
+void fill_parabolic_velocities(const Domain& domain, const Walls& walls, int component,
+                               Array3<double>& velocity);
 // Mass fluxes: repeated everywhere.
 void fill_ghost_fluxes(const Domain& domain, int component, Array3<double>& flux);
 

@@ -24,6 +24,7 @@ TEST_P(gas_split, two_ranks_give_what_one_gives) {
   const GasInput input = probed_spout(GetParam());
   GasSolver one(input, self());
   GasSolver two(input, world);
+  for (GasSolver* gas : {&one, &two}) gas->ask_for({true, true, true});
   const GasReport r1 = run_spout(one, 0, 4);
   const GasReport r2 = run_spout(two, 0, 4);
   // Both solve to 1e-11 of the inflow a cell, by different ways; errors add up over grid and steps.
@@ -33,6 +34,13 @@ TEST_P(gas_split, two_ranks_give_what_one_gives) {
       ASSERT_NEAR(two.mean_velocity()[d](i, j, k), one.mean_velocity()[d](i, j, k), tolerance * 20);
       ASSERT_NEAR(two.mean_pressure_gradient()[d](i, j, k),
                   one.mean_pressure_gradient()[d](i, j, k), tolerance * 1e5);
+      // With cells of 1 cm: u / h, u^2 / h and u / (1 ms), mu u / h^2.
+      ASSERT_NEAR(two.mean_vorticity()[d](i, j, k), one.mean_vorticity()[d](i, j, k),
+                  tolerance * 2e3);
+      ASSERT_NEAR(two.mean_acceleration()[d](i, j, k), one.mean_acceleration()[d](i, j, k),
+                  tolerance * 4e4);
+      ASSERT_NEAR(two.mean_viscous_force()[d](i, j, k), one.mean_viscous_force()[d](i, j, k),
+                  tolerance * input.viscosity * 2e5);
     });
   EXPECT_EQ(r1.surface_height, r2.surface_height);
   EXPECT_EQ(r1.bubble_diameter, r2.bubble_diameter);
