@@ -17,18 +17,13 @@ double cell_velocity(const Array3<double>& u, std::ptrdiff_t o, int axis) {
   return 0.5 * (u[o] + u[o + u.stride(axis)]);
 }
 
-// laplace u_a + 1/3 d/dx_a div u at the face at offset o.
-double viscous_at_face(const CellVector& u, const VelocityGradient& gradient, const Vec3& per_h,
-                       int a, std::ptrdiff_t o) {
-  const auto divergence = [&](std::ptrdiff_t cell) {
-    return gradient.along(0, cell) + gradient.along(1, cell) + gradient.along(2, cell);
-  };
-  double sum = per_h[a] / 3.0 * (divergence(o) - divergence(o - u[a].stride(a)));
-  for (int b = 0; b < 3; ++b) {
-    const std::ptrdiff_t s = u[a].stride(b);
-    sum += per_h[b] * per_h[b] * (u[a][o + s] - 2.0 * u[a][o] + u[a][o - s]);
-  }
-  return sum;
+Array3<double> divergence_of(const Domain& domain, const VelocityGradient& gradient) {
+  Array3<double> divergence(domain.box());
+  for_each_cell(domain.own().grown(1), [&](int i, int j, int k) {
+    const auto o = divergence.offset(i, j, k);
+    divergence[o] = gradient.along(0, o) + gradient.along(1, o) + gradient.along(2, o);
+  });
+  return divergence;
 }
 
 }  // namespace
@@ -70,28 +65,39 @@ void add_viscous_force(const Domain& domain, const CellVector& u, double viscosi
                        CellVector& sum) {
   const Vec3 spacing = domain.grid().spacing();
   const Vec3 per_h = spacing.cwiseInverse();
-  const VelocityGradient gradient(u, spacing);
+  const Vec3 per_h2 = per_h.cwiseProduct(per_h);
+  const Array3<double> divergence = divergence_of(domain, VelocityGradient(u, spacing));
+  const double* const div = divergence.data();
+  const IndexBox own = domain.own();
+  Array3<double> at_faces(domain.box());  // over viscosity
+  double* const force = at_faces.data();
   for (int d = 0; d < 3; ++d) {
-    const std::ptrdiff_t s = u[d].stride(d);
-    // Half of the force of an inner face acts on either cell beside it, all of it on a cell whose
-    // other face is on a side.
-    const IndexBox own = domain.own();
-    const int first = domain.touches(side_of(d, false)) ? own.lo[d] : own.lo[d] - 1;
-    const int last = domain.touches(side_of(d, true)) ? own.hi[d] - 1 : own.hi[d];
+    const double* const v = u[d].data();
+    const std::array<std::ptrdiff_t, 3> t{u[d].stride(0), u[d].stride(1), u[d].stride(2)};
+    const std::ptrdiff_t s = t[d];
+    // Inner faces of the own cells.
+    const bool lo = domain.touches(side_of(d, false));
+    const bool hi = domain.touches(side_of(d, true));
+    IndexBox faces = own;
+    if (lo) ++faces.lo[d];
+    if (!hi) ++faces.hi[d];
+    for_each_cell(faces, [&](int i, int j, int k) {
+      const auto o = at_faces.offset(i, j, k);
+      const double twice = 2.0 * v[o];
+      force[o] = per_h2[0] * (v[o + t[0]] - twice + v[o - t[0]]) +
+                 per_h2[1] * (v[o + t[1]] - twice + v[o - t[1]]) +
+                 per_h2[2] * (v[o + t[2]] - twice + v[o - t[2]]) +
+                 per_h[d] / 3.0 * (div[o] - div[o - s]);
+    });
     for_each_cell(own, [&](int i, int j, int k) {
-      const auto o = u[d].offset(i, j, k);
+      const auto o = at_faces.offset(i, j, k);
       const int n = d == 0 ? i : (d == 1 ? j : k);
-      double force = 0;
-      int faces = 0;
-      if (n != first) {
-        force += viscous_at_face(u, gradient, per_h, d, o);
-        ++faces;
-      }
-      if (n != last) {
-        force += viscous_at_face(u, gradient, per_h, d, o + s);
-        ++faces;
-      }
-      if (faces > 0) sum[d](i, j, k) += weight * viscosity * force / faces;
+      const bool first = lo && n == own.lo[d];
+      const bool last = hi && n == own.hi[d] - 1;
+      if (first && last) return;
+      const double below = force[first ? o + s : o];
+      const double above = force[last ? o : o + s];
+      sum[d](i, j, k) += weight * viscosity * 0.5 * (below + above);
     });
   }
 }
