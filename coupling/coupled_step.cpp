@@ -60,13 +60,14 @@ CoupledStep::CoupledStep(const Communicator& local, MPI_Comm partner, const Effe
 
 IndexBox CoupledStep::tile_of(const DemRegion& region) const {
   const BoxGrid& grid = frame_.grid;
+  Int3 reach = stencil_reach(effects_.method, region.largest_radius, grid);
   // Overlapped, particles are met again where they were an interval ago.
-  const int reach =
-      stencil_reach(effects_.method, region.largest_radius, grid) + (overlapped_ ? 1 : 0);
+  if (overlapped_)
+    for (int& cells : reach) ++cells;
   IndexBox tile;
   for (int d = 0; d < 3; ++d) {
-    tile.lo[d] = grid.cell_of(region.lo[d] - region.drift, d) - reach;
-    tile.hi[d] = grid.cell_of(region.hi[d] + region.drift, d) + 1 + reach;
+    tile.lo[d] = grid.cell_of(region.lo[d] - region.drift, d) - reach[d];
+    tile.hi[d] = grid.cell_of(region.hi[d] + region.drift, d) + 1 + reach[d];
     if (grid.periodic[d]) continue;
     tile.lo[d] = std::clamp(tile.lo[d], 0, grid.cells[d] - 1);
     tile.hi[d] = std::clamp(tile.hi[d], tile.lo[d] + 1, grid.cells[d]);

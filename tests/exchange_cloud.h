@@ -62,23 +62,25 @@ inline BoxGrid uneven_box(std::array<bool, 3> periodic) {
 
 inline constexpr double cloud_radius = 0.6e-3;
 
-inline Cloud random_cloud(const BoxGrid& grid, std::size_t count, Random& random) {
+inline Cloud random_cloud(const BoxGrid& grid, std::size_t count, Random& random,
+                          double greatest_radius = cloud_radius) {
   Cloud cloud;
   for (std::size_t p = 0; p < count; ++p)
     cloud.add(random.vector(grid.lo, grid.hi), random.vector(2.0),
-              random.between(0.5, 1.0) * cloud_radius);
+              random.between(0.5, 1.0) * greatest_radius);
   return cloud;
 }
 
 // The grid's own cells along walls; grown by the stencil along periodic axes.
-inline TileFrame whole_frame(const BoxGrid& grid, const VoidFractionMethod& method) {
-  const int reach = stencil_reach(method, cloud_radius, grid);
+inline TileFrame whole_frame(const BoxGrid& grid, const VoidFractionMethod& method,
+                             double radius = cloud_radius) {
+  const Int3 reach = stencil_reach(method, radius, grid);
   TileFrame frame{grid, grid.all()};
   for (int d = 0; d < 3; ++d)
     if (grid.periodic[d]) {
       // One cell more: a particle on the upper end of the box is in the next cell.
-      frame.tile.lo[d] -= reach + 1;
-      frame.tile.hi[d] += reach + 1;
+      frame.tile.lo[d] -= reach[d] + 1;
+      frame.tile.hi[d] += reach[d] + 1;
     }
   return frame;
 }

@@ -1,5 +1,7 @@
 #include "coupling/exchange/particle_weights.h"
 
+#include <algorithm>
+
 namespace gasgrain {
 namespace {
 
@@ -34,27 +36,85 @@ void ParticleWeights::find(const ParticleView& particles, const VoidFractionMeth
   cell_.clear();
   weight_.clear();
   beyond_walls_ = 0;
-
-  const std::ptrdiff_t stride_y = tile_.extent(0);
-  const std::ptrdiff_t stride_z = stride_y * tile_.extent(1);
+  spread_.reset();
   std::visit(
       [&](const auto& chosen) {
-        for (std::size_t p = 0; p < particles.count; ++p) {
-          const Vec3 x = particles.x(p);
-          const double radius = particles.radius[p];
-          if (!usable(x, frame)) fail_outside(p, x, radius, tile_);
-          if (frame.beyond_walls(x)) ++beyond_walls_;
-          first_[p] = cell_.size();
-          chosen.for_each_weight(frame, x, radius, [&](int i, int j, int k, double w) {
-            if (!tile_.contains(i, j, k)) fail_outside(p, x, radius, tile_);
-            cell_.push_back(static_cast<std::uint32_t>(
-                (i - tile_.lo[0]) + stride_y * (j - tile_.lo[1]) + stride_z * (k - tile_.lo[2])));
-            weight_.push_back(w);
-          });
+        using Method = std::decay_t<decltype(chosen)>;
+        if constexpr (Spreads<Method>::value) {
+          Method sized = chosen;
+          if (sized.diameter <= 0.0 && particles.count > 0)
+            sized.diameter =
+                2.0 * *std::max_element(particles.radius, particles.radius + particles.count);
+          make_spread(particles, sized, frame);
+        } else {
+          list(particles, chosen, tile_, frame, [](int, int, int) {});
         }
       },
       method);
+}
+
+// Lists the particles' entries in a box of cells or points, each of which is shown to `seen`.
+template <class Method, class F>
+void ParticleWeights::list(const ParticleView& particles, const Method& method, const IndexBox& box,
+                           const TileFrame& frame, F&& seen) {
+  const std::ptrdiff_t stride_y = box.extent(0);
+  const std::ptrdiff_t stride_z = stride_y * box.extent(1);
+  for (std::size_t p = 0; p < particles.count; ++p) {
+    const Vec3 x = particles.x(p);
+    const double radius = particles.radius[p];
+    if (!usable(x, frame)) fail_outside(p, x, radius, tile_);
+    if (frame.beyond_walls(x)) ++beyond_walls_;
+    first_[p] = cell_.size();
+    method.for_each_weight(frame, x, radius, [&](int i, int j, int k, double w) {
+      if (!box.contains(i, j, k)) fail_outside(p, x, radius, tile_);
+      seen(i, j, k);
+      cell_.push_back(static_cast<std::uint32_t>((i - box.lo[0]) + stride_y * (j - box.lo[1]) +
+                                                 stride_z * (k - box.lo[2])));
+      weight_.push_back(w);
+    });
+  }
   first_[particles.count] = cell_.size();
+}
+
+// Only the points that particles touch are spread: in a bed with much empty space above it that is
+// what most of the time is saved by.
+template <class Method>
+void ParticleWeights::make_spread(const ParticleView& particles, const Method& method,
+                                  const TileFrame& frame) {
+  const double radius = 0.5 * method.diameter;
+  std::array<IndexRange, 3> touched;
+  for (int d = 0; d < 3; ++d) {
+    const IndexRange points =
+        method.points(frame.grid, d, radius, IndexRange{tile_.lo[d], tile_.hi[d]});
+    points_.lo[d] = points.lo;
+    points_.hi[d] = points.hi;
+    touched[d] = {points.hi, points.lo};
+  }
+  list(particles, method, points_, frame, [&](int i, int j, int k) {
+    const Int3 point{i, j, k};
+    for (int d = 0; d < 3; ++d) {
+      touched[d].lo = std::min(touched[d].lo, point[d]);
+      touched[d].hi = std::max(touched[d].hi, point[d] + 1);
+    }
+  });
+  if (particles.count == 0) {
+    spread_.emplace();
+    return;
+  }
+  std::array<AxisSpread, 3> axes;
+  for (int d = 0; d < 3; ++d) {
+    axes[d] = method.spread(frame.grid, d, radius, touched[d]);
+    if (axes[d].outer.lo >= tile_.lo[d] && axes[d].outer.hi <= tile_.hi[d]) continue;
+    for (std::size_t p = 0; p < particles.count; ++p)
+      method.for_each_weight(frame, particles.x(p), radius, [&](int i, int j, int k, double /*w*/) {
+        const int point = Int3{i, j, k}[d];
+        const IndexRange cells =
+            method.spread(frame.grid, d, radius, IndexRange{point, point + 1}).outer;
+        if (cells.lo < tile_.lo[d] || cells.hi > tile_.hi[d])
+          fail_outside(p, particles.x(p), particles.radius[p], tile_);
+      });
+  }
+  spread_.emplace(axes);
 }
 
 }  // namespace gasgrain

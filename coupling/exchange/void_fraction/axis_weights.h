@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 namespace gasgrain {
 
@@ -24,9 +25,22 @@ struct AxisWeights {
   }
 };
 
+// Any number of cells, each named once.
+struct ManyAxisWeights {
+  int count = 0;
+  std::vector<int> cell;
+  std::vector<double> weight;
+
+  void add(int cell_index, double w) {
+    cell.push_back(cell_index);
+    weight.push_back(w);
+    ++count;
+  }
+};
+
 // f(i, j, k, weight) for the product of three axes.
-template <class F>
-void for_each_product(const std::array<AxisWeights, 3>& axes, F&& f) {
+template <class Weights, class F>
+void for_each_product(const std::array<Weights, 3>& axes, F&& f) {
   for (int c = 0; c < axes[2].count; ++c)
     for (int b = 0; b < axes[1].count; ++b) {
       const double w = axes[2].weight[c] * axes[1].weight[b];

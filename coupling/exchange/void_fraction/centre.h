@@ -20,8 +20,8 @@ struct VoidFractionCentre {
   // Greatest share of a particle that changes cells when it moves across a face along one axis.
   static constexpr double greatest_jump = 1.0;
 
-  // Cells beyond the particle's own that may be touched, along an axis with cells of size h [m].
-  static int reach(double /*radius*/, double /*h*/) { return 0; }
+  // Cells beyond the particle's own that may be touched, along an axis.
+  static int reach(const BoxGrid& /*grid*/, int /*axis*/, double /*radius*/) { return 0; }
 
   template <class F>
   static void for_each_weight(const TileFrame& frame, const Vec3& x, double /*radius*/, F&& f) {

@@ -32,7 +32,9 @@ struct VoidFractionExact {
   static constexpr std::string_view name = "exact";
   static constexpr double greatest_jump = 0.0;
 
-  static int reach(double radius, double h) { return static_cast<int>(std::ceil(radius / h)); }
+  static int reach(const BoxGrid& grid, int axis, double radius) {
+    return static_cast<int>(std::ceil(radius / grid.spacing()[axis]));
+  }
 
   template <class F>
   static void for_each_weight(const TileFrame& frame, const Vec3& x, double radius, F&& f) {

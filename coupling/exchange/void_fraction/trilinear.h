@@ -23,7 +23,7 @@ struct VoidFractionTrilinear {
   static constexpr std::string_view name = "trilinear";
   static constexpr double greatest_jump = 0.0;
 
-  static int reach(double /*radius*/, double /*h*/) { return 1; }
+  static int reach(const BoxGrid& /*grid*/, int /*axis*/, double /*radius*/) { return 1; }
 
   template <class F>
   static void for_each_weight(const TileFrame& frame, const Vec3& x, double /*radius*/, F&& f) {
