@@ -1,9 +1,12 @@
 #include "coupling/coupled_step.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
 #include "coupling/base/error.h"
+#include "coupling/exchange/void_fraction/choose_method.h"
 
 namespace gasgrain {
 namespace {
@@ -58,6 +61,23 @@ CoupledStep::CoupledStep(const Communicator& local, MPI_Comm partner, const Effe
       cost_sample_(costs_.task("coupling: sampling")),
       cost_forces_(costs_.task("coupling: forces")) {}
 
+// At the first coupling that has particles. What grains come later, greater ones too, finds the
+// method and its diameter as they are.
+void CoupledStep::settle_method(const ParticleView& particles, const DemRegion& region) {
+  if (method_settled_ || region.largest_radius <= 0.0) return;
+  method_settled_ = true;
+  if (effects_.choose_method) {
+    double smallest = region.largest_radius;
+    for (std::size_t p = 0; p < particles.count; ++p)
+      smallest = std::min(smallest, particles.radius[p]);
+    const MethodChoice choice =
+        choose_method(local_.min(smallest), region.largest_radius, frame_.grid);
+    effects_.method = choice.method;
+    if (local_.is_root()) fmt::print("{}\n", choice.reason);
+  }
+  effects_.method = with_diameter(effects_.method, 2.0 * region.largest_radius);
+}
+
 IndexBox CoupledStep::tile_of(const DemRegion& region) const {
   const BoxGrid& grid = frame_.grid;
   Int3 reach = stencil_reach(effects_.method, region.largest_radius, grid);
@@ -98,6 +118,7 @@ void CoupledStep::begin(const ParticleView& particles, const DemRegion& region,
                         ExchangeRecords& records, double interval, long step, double time) {
   complete(particles, records);
   settle(particles, records);
+  settle_method(particles, region);
   const IndexBox tile = tile_of(region);
   const bool fresh = local_.max(tile != frame_.tile || !met_before_ ? 1.0 : 0.0) > 0.0;
   met_before_ = true;

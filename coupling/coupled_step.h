@@ -91,6 +91,7 @@ class CoupledStep {
   [[nodiscard]] long take_bytes();
 
  private:
+  void settle_method(const ParticleView& particles, const DemRegion& region);
   [[nodiscard]] IndexBox tile_of(const DemRegion& region) const;
   void make_tile(const IndexBox& tile);
   void settle(const ParticleView& particles, const ExchangeRecords& records);
@@ -118,6 +119,7 @@ class CoupledStep {
   double interval_ = 0.0;                     // of the last coupling [s]
   Vec3 expected_in_interval_ = Vec3::Zero();  // by this rank's particles, less what they owed
   bool met_before_ = false;
+  bool method_settled_ = false;
   bool answer_to_come_ = false;
   long bytes_ = 0;
   FieldStore fields_;  // over the tile

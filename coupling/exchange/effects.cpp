@@ -31,8 +31,7 @@ class EffectsParser {
       if (word == drag_word)
         read_choice<DragModel>(word, [&](const DragModel& model) { effects_.drag = model; });
       else if (word == method_word)
-        read_choice<VoidFractionMethod>(
-            word, [&](const VoidFractionMethod& method) { effects_.method = method; });
+        read_void_fraction(word);
       else if (word == sharing_word)
         read_choice<MomentumSharing>(
             word, [&](const MomentumSharing& sharing) { effects_.sharing = sharing; });
@@ -64,6 +63,17 @@ class EffectsParser {
       fault("the effect \"{}\" is unknown.{}", word, suggestion(word, known_words()));
     else if (is_new(word))
       effects_.forces.push_back(*force);
+  }
+
+  void read_void_fraction(const std::string& word) {
+    const MethodWords read = read_method(words_, next_, known_words());
+    next_ += read.taken;
+    if (!read.named)
+      fault("{}", read.fault);
+    else if (is_new(word)) {
+      effects_.method = read.named->method;
+      effects_.choose_method = read.named->automatic;
+    }
   }
 
   template <class List, class Store>
@@ -157,7 +167,7 @@ RecordLayout Effects::layout(bool overlapped) const {
 }
 
 std::string Effects::text() const {
-  std::string words = method_word + " " + std::string(name_of(method));
+  std::string words = method_word + " " + NamedMethod{method, choose_method}.text();
   if (drag) words += fmt::format(" {} {}", drag_word, name_of(*drag));
   if (drag && by_mean_velocity()) words += fmt::format(" {} {}", sharing_word, name_of(sharing));
   for (const auto& force : forces) words += " " + std::string(name_of(force));

@@ -1,11 +1,11 @@
 // The effects that a scene names, read from the words of its line, for instance
 //   drag koch_hill void_fraction offset pressure_gradient
-// `drag`, `void_fraction` and `momentum_sharing` take one name; a force is switched on by its bare
-// name.
+// `drag` and `momentum_sharing` take one name, `void_fraction` one name and for some of them a
+// number; a force is switched on by its bare name.
 //
-// Without a void_fraction word the method is trilinear: it is the one whose void fraction is
-// continuous as particles move, so that the gas sees no spikes of d eps / dt. Without a drag word
-// there is no drag: an effect that is not named is absent.
+// Without a void_fraction word the method is chosen at the first coupling, when the sizes of the
+// particles are known (choose_method.h). Without a drag word there is no drag: an effect that is
+// not named is absent.
 #pragma once
 
 #include <optional>
@@ -17,12 +17,13 @@
 #include "coupling/exchange/forces/forces.h"
 #include "coupling/exchange/gas_fields.h"
 #include "coupling/exchange/momentum_sharing.h"
-#include "coupling/exchange/void_fraction/methods.h"
+#include "coupling/exchange/void_fraction/read_method.h"
 
 namespace gasgrain {
 
 struct Effects {
   VoidFractionMethod method = VoidFractionTrilinear{};
+  bool choose_method = true;  // the method is to be chosen; until then `method` stands in
   std::optional<DragModel> drag;
   MomentumSharing sharing;
   std::vector<Force> forces;  // in the order of the scene, none twice

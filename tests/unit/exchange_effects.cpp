@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <iterator>
+#include <sstream>
+
 #include "coupling/base/error.h"
 
 namespace gasgrain {
@@ -28,16 +31,37 @@ TEST(effects, are_read_from_the_words_of_a_line) {
 
 TEST(effects, read_their_own_text) {
   for (const auto& drag : choice_names<DragModel>())
-    for (const auto& method : choice_names<VoidFractionMethod>()) {
-      const std::string text =
-          parse_effects({"drag", drag, "void_fraction", method}, "test").text();
-      EXPECT_EQ(text, "void_fraction " + method + " drag " + drag);
+    for (const auto& method : method_names()) {
+      const Effects effects = parse_effects({"drag", drag, "void_fraction", method}, "test");
+      const std::string text = effects.text();
+      EXPECT_EQ(text.find("void_fraction " + method), 0U) << text;
+      EXPECT_NE(text.find(" drag " + drag), std::string::npos) << text;
+      std::istringstream stream(text);
+      const std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
+      EXPECT_EQ(parse_effects(words, "test").text(), text);
     }
+}
+
+TEST(effects, read_the_width_of_a_kernel_and_the_size_of_a_particle_grid) {
+  const auto width = [](const Effects& e) { return std::get<VoidFractionKernel>(e.method).width; };
+  EXPECT_EQ(width(parse_effects({"void_fraction", "kernel", "3.5", "drag", "tang"}, "test")), 3.5);
+  EXPECT_EQ(width(parse_effects({"void_fraction", "kernel", "drag", "tang"}, "test")),
+            VoidFractionKernel::default_width);
+  EXPECT_EQ(parse_effects({"void_fraction", "particle_grid", "3"}, "test").text(),
+            "void_fraction particle_grid 3");
+  for (const std::string word : {"0.1", "100", "3mm", "-2"})
+    EXPECT_EQ(faults_of({"void_fraction", "kernel", word, "drag", "tang"}),
+              "in.liggghts:12: void_fraction kernel " + word +
+                  ": the width must be a number of particle diameters from 0.5 to 20. Leave it out "
+                  "for 2.");
+  EXPECT_NE(faults_of({"void_fraction", "offset", "3"}).find("\"3\" is unknown"),
+            std::string::npos);
 }
 
 TEST(effects, that_are_absent_ask_for_no_fields) {
   const Effects none = parse_effects({}, "test");
-  EXPECT_EQ(none.text(), "void_fraction trilinear");
+  EXPECT_EQ(none.text(), "void_fraction auto");
+  EXPECT_TRUE(none.choose_method);
   EXPECT_EQ(none.lent().bits(), 0U);
   EXPECT_EQ(none.taken().bits(), FieldSet().add(GasField::solid_volume).bits());
   const Effects drag = parse_effects({"drag", "di_felice"}, "test");
