@@ -8,15 +8,14 @@
 // that large cells, too, are counted in hundreds. Errors are eps - eps_exact over all cells; the
 // spread is the standard deviation of eps about its mean. A method whose eps falls below zero
 // cannot do cells so small. Time is that of the processor, for weights and deposit, the least of
-// several runs.
-#include <fmt/format.h>
-
+// several runs, over the number of particles: part of that of kernel and particle_grid goes with
+// the number of cells.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <ctime>
 #include <memory>
 
-#include "tests/exchange_cloud.h"
+#include "tests/random_packing.h"
 
 namespace gasgrain {
 namespace {
@@ -42,73 +41,6 @@ struct Row {
   double time;  // of a particle, s
 };
 
-// Indices of the points near each point, by a grid of buckets a little wider than the range.
-class Neighbours {
- public:
-  explicit Neighbours(const std::vector<Vec3>& points) : bucket_(along_ * along_ * along_) {
-    for (std::size_t p = 0; p < points.size(); ++p) bucket_[index(place(points[p]))].push_back(p);
-  }
-  template <class F>
-  void for_each(const Vec3& x, F&& f) const {
-    const Int3 at = place(x);
-    for (int k = -1; k <= 1; ++k)
-      for (int j = -1; j <= 1; ++j)
-        for (int i = -1; i <= 1; ++i)
-          for (const std::size_t p : bucket_[index({at[0] + i, at[1] + j, at[2] + k})]) f(p);
-  }
-
- private:
-  static constexpr int along_ = 18;
-  static Int3 place(const Vec3& x) {
-    Int3 at{};
-    for (int d = 0; d < 3; ++d) at[d] = static_cast<int>(std::floor(x[d] * along_ / side));
-    return at;
-  }
-  static std::size_t index(const Int3& at) {
-    std::size_t n = 0;
-    for (const int a : at) n = n * along_ + (a + along_) % along_;
-    return n;
-  }
-  std::vector<std::vector<std::size_t>> bucket_;
-};
-
-Vec3 wrapped(Vec3 x) {
-  for (int d = 0; d < 3; ++d) x[d] -= side * std::floor(x[d] / side);
-  return x;
-}
-
-// Spheres of diameter 1. They are pushed apart as if they were a little wider, which ends sooner.
-std::vector<Vec3> random_packing(double phi, Random& random) {
-  constexpr double wider = 1.002;
-  constexpr int most_rounds = 20000;
-  std::vector<Vec3> points(std::lround(phi * std::pow(side, 3) / sphere_volume(0.5)));
-  for (Vec3& x : points) x = random.vector(Vec3::Zero(), Vec3::Constant(side));
-  std::vector<Vec3> push(points.size());
-  for (int round = 0; round < most_rounds; ++round) {
-    const Neighbours neighbours(points);
-    double least = wider;
-    for (std::size_t p = 0; p < points.size(); ++p) {
-      push[p].setZero();
-      neighbours.for_each(points[p], [&](std::size_t q) {
-        if (p == q) return;
-        Vec3 apart = points[p] - points[q];
-        for (int d = 0; d < 3; ++d) apart[d] -= side * std::round(apart[d] / side);
-        const double distance = apart.norm();
-        if (distance >= wider) return;
-        least = std::min(least, distance);
-        push[p] += 0.5 * (wider - distance) / std::max(distance, 1e-9) * apart;
-      });
-    }
-    if (least >= 1.0) {
-      fmt::print(stderr, "packing: {} spheres at {:.3g}, {} rounds\n", points.size(), phi, round);
-      return points;
-    }
-    for (std::size_t p = 0; p < points.size(); ++p) points[p] = wrapped(points[p] + push[p]);
-  }
-  fail("no packing of a solid share of {} was found in {} rounds: choose less than 0.62", phi,
-       most_rounds);
-}
-
 BoxGrid periodic_grid(int along) {
   BoxGrid grid;
   grid.hi = Vec3::Constant(side);
@@ -119,7 +51,7 @@ BoxGrid periodic_grid(int along) {
 
 Cloud moved_cloud(const std::vector<Vec3>& points, const Vec3& shift) {
   Cloud cloud;
-  for (const Vec3& x : points) cloud.add(wrapped(x + shift), Vec3::Zero(), 0.5);
+  for (const Vec3& x : points) cloud.add(wrapped_into(x + shift, side), Vec3::Zero(), 0.5);
   return cloud;
 }
 
@@ -143,9 +75,8 @@ double seconds() {
 Row measure(const VoidFractionMethod& method, double phi, int along,
             const std::vector<Vec3>& points, unsigned seed) {
   const BoxGrid grid = periodic_grid(along);
-  const int halo = stencil_reach(method, 0.5, grid) + 1;
-  const TileFrame frame{grid, grid.all().grown(halo)};
-  const int exact_halo = stencil_reach(VoidFractionExact{}, 0.5, grid) + 1;
+  const TileFrame frame{grid, grid.all().grown(stencil_reach(method, 0.5, grid)[0] + 1)};
+  const int exact_halo = stencil_reach(VoidFractionExact{}, 0.5, grid)[0] + 1;
   const TileFrame exact_frame{grid, grid.all().grown(exact_halo)};
   const int placements =
       std::clamp(enough_cells / static_cast<int>(grid.all().size()), 1, most_placements);
@@ -198,36 +129,48 @@ void write_csv(std::FILE* file, const std::vector<Row>& rows) {
                row.share_below_zero, row.cells_per_particle, row.time * 1e9);
 }
 
-std::string markdown_entry(const Row& row) {
-  std::string text;
-  if (row.method != VoidFractionExact::name)
-    text = fmt::format("{:.2g} ({:.2g}), ", row.rms_error, row.greatest_error);
-  text += fmt::format("{:.0f} ns", row.time * 1e9);
+std::string error_entry(const Row& row) {
+  std::string text = fmt::format("{:.2g} ({:.2g})", row.rms_error, row.greatest_error);
   if (row.share_below_zero > 0.0)
-    text += fmt::format("; cannot: eps < 0 in {:.2g} %", 100.0 * row.share_below_zero);
+    text += fmt::format("; eps < 0 in {:.2g} %", 100.0 * row.share_below_zero);
   return text;
 }
 
-// A table of a solid share: a row a size of cells, a column a method.
-void print_markdown(const std::vector<Row>& rows) {
-  fmt::print(
-      "phi = {}: rms error (greatest error), time of a particle\n\n| l / d | spread of eps |",
-      rows.front().phi);
-  for (const auto& name : choice_names<VoidFractionMethod>()) fmt::print(" {} |", name);
-  fmt::print("\n|---|---|");
-  for (std::size_t n = 0; n < choice_names<VoidFractionMethod>().size(); ++n) fmt::print("---|");
-  const auto find = [&](std::string_view method, double cell_size) {
-    return *std::find_if(rows.begin(), rows.end(), [&](const Row& row) {
-      return row.method == method && row.cell_size == cell_size;
-    });
-  };
+std::string spread_entry(const Row& row) {
+  return fmt::format("{:.2g} ({:.2g})", row.spread, row.least + 0.0);
+}
+
+std::string time_entry(const Row& row) {
+  return fmt::format("{:.0f}", row.time * 1e9);
+}
+
+// A row a size of cells, a column a method.
+template <class Entry>
+void print_table(const std::string& title, const std::vector<Row>& rows, Entry&& entry,
+                 bool with_exact) {
+  std::vector<std::string> names = choice_names<VoidFractionMethod>();
+  if (!with_exact)
+    names.erase(std::find(names.begin(), names.end(), std::string(VoidFractionExact::name)));
+  fmt::print("phi = {}: {}\n\n| l / d |", rows.front().phi, title);
+  for (const auto& name : names) fmt::print(" `{}` |", name);
+  fmt::print("\n|---|");
+  for (std::size_t n = 0; n < names.size(); ++n) fmt::print("---|");
   for (const int along : cells_along_side) {
-    const double l = side / along;
-    fmt::print("\n| {:.2g} | {:.2g} |", l, find(VoidFractionExact::name, l).spread);
-    for (const auto& name : choice_names<VoidFractionMethod>())
-      fmt::print(" {} |", markdown_entry(find(name, l)));
+    fmt::print("\n| {:.2g} |", side / along);
+    for (const auto& name : names) {
+      const auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& r) {
+        return r.method == name && r.cell_size == side / along;
+      });
+      fmt::print(" {} |", entry(*row));
+    }
   }
   fmt::print("\n\n");
+}
+
+void print_markdown(const std::vector<Row>& rows) {
+  print_table("rms error (greatest error)", rows, error_entry, false);
+  print_table("spread of eps (least eps)", rows, spread_entry, true);
+  print_table("ns for a particle", rows, time_entry, true);
 }
 
 }  // namespace
@@ -253,7 +196,7 @@ int main(int argc, char** argv) {
                  "share_below_zero,cells_per_particle,ns_per_particle\n");
     for (const double phi : shares) {
       Random random(seed);
-      const std::vector<Vec3> points = random_packing(phi, random);
+      const std::vector<Vec3> points = random_packing(phi, side, random);
       std::vector<Row> rows;
       for (int sweep = 0; sweep < sweeps; ++sweep) {
         std::size_t n = 0;

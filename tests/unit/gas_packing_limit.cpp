@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "coupling/base/error.h"
+#include "tests/random_packing.h"
 
 namespace gasgrain {
 namespace {
@@ -36,6 +37,70 @@ TEST(packing_limit, moves_the_excess_to_neighbours_and_loses_none) {
       EXPECT_LE(solids(i, j, k), solids_limit + 1e-11);
       EXPECT_GE(solids(i, j, k), 0.5 - 1e-12);
     });
+  }
+}
+
+// The solids of spheres `cells_across` cells wide, by the exact method, in a periodic box of
+// `side` diameters.
+Array3<double> solids_of(const std::vector<Vec3>& spheres, double side, int cells_across,
+                         const Domain& domain) {
+  Cloud cloud;
+  for (const Vec3& x : spheres) cloud.add(x, Vec3::Zero(), 0.5);
+  const BoxGrid& grid = domain.grid();
+  const TileFrame frame{grid, grid.all().grown(cells_across + 1)};
+  ParticleWeights weights;
+  weights.find(cloud.view(), VoidFractionExact{}, frame);
+  Array3<double> deposited(frame.tile);
+  deposit_solid_volume(cloud.view(), weights, deposited);
+  Array3<double> solids(domain.box());
+  const int n = static_cast<int>(std::lround(side)) * cells_across;
+  for_each_cell(frame.tile, [&](int i, int j, int k) {
+    const auto wrap = [n](int a) { return ((a % n) + n) % n; };
+    solids(wrap(i), wrap(j), wrap(k)) += deposited(i, j, k) / grid.cell_volume();
+  });
+  return solids;
+}
+
+Domain periodic_domain(double side, int cells_across) {
+  BoxGrid grid;
+  grid.hi = Vec3::Constant(side);
+  const int n = static_cast<int>(std::lround(side)) * cells_across;
+  grid.cells = {n, n, n};
+  grid.periodic = {true, true, true};
+  return {grid, Communicator(MPI_COMM_SELF)};
+}
+
+void expect_moved_and_kept(const Domain& domain, Array3<double> solids) {
+  const Array3<double> before = solids;
+  long full = 0;
+  for_each_cell(domain.own(),
+                [&](int i, int j, int k) { full += solids(i, j, k) > solids_limit + 1e-12; });
+  ASSERT_GT(full, 0);
+  Halo halo(domain);
+  EXPECT_EQ(move_solids_above_limit(domain, halo, solids), full);
+  const double sum = sum_of_own(domain, before);
+  EXPECT_NEAR(sum_of_own(domain, solids), sum, 1e-12 * sum);
+  for_each_cell(domain.own(), [&](int i, int j, int k) {
+    EXPECT_LE(solids(i, j, k), solids_limit + 1e-9);
+    // No cell pays for its neighbours: it loses what it had above the limit at most.
+    EXPECT_GE(solids(i, j, k), std::min(before(i, j, k), solids_limit) - 1e-9);
+  });
+}
+
+TEST(packing_limit, gives_gas_to_the_cells_within_a_resolved_sphere) {
+  for (const int cells_across : {2, 5, 10}) {
+    const Domain domain = periodic_domain(3.0, cells_across);
+    expect_moved_and_kept(domain, solids_of({Vec3(1.37, 1.52, 1.44)}, 3.0, cells_across, domain));
+  }
+}
+
+TEST(packing_limit, gives_gas_to_every_cell_of_a_dense_packing_of_resolved_spheres) {
+  Random random(3);
+  const double side = 6.0;
+  const auto spheres = random_packing(0.58, side, random);
+  for (const int cells_across : {2, 5}) {
+    const Domain domain = periodic_domain(side, cells_across);
+    expect_moved_and_kept(domain, solids_of(spheres, side, cells_across, domain));
   }
 }
 

@@ -54,7 +54,10 @@ struct AxisBlocks {
   [[nodiscard]] int greatest() const { return (cells + blocks - 1) / blocks; }
 
  private:
-  static int floor_of(int a, int n) { return a >= 0 ? a / n : -((n - 1 - a) / n); }
+  static int floor_of(int a, int n) {
+    if (a >= 0 && a < n) return 0;  // in most cases; divisions are slow
+    return a >= 0 ? a / n : -((n - 1 - a) / n);
+  }
 };
 
 struct VoidFractionParticleGrid {
@@ -68,7 +71,7 @@ struct VoidFractionParticleGrid {
   // Cells along the cube's edge.
   [[nodiscard]] int cube(const BoxGrid& grid, int axis, double radius) const {
     const double edge = size * (diameter > 0.0 ? diameter : 2.0 * radius);
-    const double n = std::round(edge / grid.spacing()[axis]);
+    const double n = std::round(edge * grid.cells[axis] / (grid.hi[axis] - grid.lo[axis]));
     return static_cast<int>(std::clamp(n, 1.0, static_cast<double>(grid.cells[axis])));
   }
   [[nodiscard]] AxisBlocks blocks(const BoxGrid& grid, int axis, double radius) const {
@@ -96,8 +99,9 @@ struct VoidFractionParticleGrid {
       const double end = s + 0.5 * n;
       const int first = axis_blocks.block_of(frame.cell(s - 0.5 * n, d));
       // No block is narrower than the cube, which therefore meets one face at most.
-      const double beyond = (end - axis_blocks.first_cell(first + 1)) / n;
-      const bool both = beyond > 0.0 && frame.cell(end, d) >= axis_blocks.first_cell(first + 1);
+      const int face = axis_blocks.first_cell(first + 1);
+      const double beyond = (end - face) / n;
+      const bool both = beyond > 0.0 && frame.cell(end, d) >= face;
       axes[d].add(first, both ? 1.0 - beyond : 1.0);
       if (both) axes[d].add(first + 1, beyond);
     }
