@@ -171,9 +171,12 @@ void CoupledStep::charge_gas(const ParticleView& particles, ExchangeRecords& rec
   if (!effects_.any_reacts()) return;
   {
     const Stopwatch watch(costs_, cost_drag_);
-    if (effects_.drag)
-      clamps_.too_dense += static_cast<long>(
-          refresh_drag(particles, weights_, effects_, properties_, fields_, records).too_dense);
+    if (effects_.drag) {
+      const DragRefresh met =
+          refresh_drag(particles, weights_, effects_, properties_, fields_, records);
+      clamps_.too_dense += static_cast<long>(met.too_dense);
+      clamps_.disturbance_cut += static_cast<long>(met.disturbance_cut);
+    }
     deposit_drag(particles, weights_, effects_, frame_.grid.cell_volume(), interval_, fields_,
                  records);
   }

@@ -84,7 +84,8 @@ class CoupledStep {
   // What was clamped since the last call, this rank's share.
   struct Clamps {
     long too_dense = 0;  // particles whose void fraction was raised to the least a drag law takes
-    long beyond_walls = 0;  // particles whose centre was outside of the box
+    long beyond_walls = 0;     // particles whose centre was outside of the box
+    long disturbance_cut = 0;  // particles whose own disturbance is beyond what can be undone
   };
   Clamps take_clamps();
   // Bytes of fields that this rank sent and received since the last call.

@@ -14,11 +14,11 @@ double less_by_response(double a) {
   return -std::expm1(-a) / a - 1.0;
 }
 
-bool has_added_mass(const Effects& effects) {
+template <class Chosen>
+const Chosen* named(const Effects& effects) {
   for (const auto& force : effects.forces)
-    if (std::visit([](const auto& chosen) { return chosen.kind == ForceKind::added_mass; }, force))
-      return true;
-  return false;
+    if (const auto* found = std::get_if<Chosen>(&force)) return found;
+  return nullptr;
 }
 
 GasAtParticle gas_at(const ExchangeRecords& records, std::size_t p) {
@@ -43,8 +43,20 @@ ForceLoop::ForceLoop(const Effects& effects, const GasProperties& gas)
     : effects_(effects),
       gas_(gas),
       own_drag_(effects.drag && effects.own_drag()),
-      added_mass_(has_added_mass(effects)) {
+      added_mass_(named<ForceVirtualMass>(effects) != nullptr) {
+  if (const auto* basset = named<ForceBasset>(effects)) basset_ = *basset;
   clear();
+}
+
+// The memory's numbers belong to one length of step.
+void ForceLoop::make_memory(double dt) {
+  if (memory_ && dt != dt_of_memory_)
+    fail(
+        "the DEM step has changed from {} s to {} s while the basset force is on: its memory is of "
+        "the old step. Keep the timestep, or leave basset out.",
+        dt_of_memory_, dt);
+  if (!memory_) memory_ = basset_->memory(dt);
+  dt_of_memory_ = dt;
 }
 
 void ForceLoop::clear() {
@@ -84,12 +96,11 @@ void ForceLoop::apply(const ParticleView& particles, ExchangeRecords& records,
         force);
     ++n;
   }
-  if (own_drag_ && added_mass_)
-    solve_motion<true, true>(particles, records, host.force, dt, share);
+  if (basset_) make_memory(dt);
+  if (added_mass_ || basset_)
+    solve_motion<true>(particles, records, host.force, dt, share);
   else if (own_drag_)
-    solve_motion<true, false>(particles, records, host.force, dt, share);
-  else if (added_mass_)
-    solve_motion<false, true>(particles, records, host.force, dt, share);
+    solve_motion<false>(particles, records, host.force, dt, share);
 }
 
 template <class Motion>
@@ -121,34 +132,47 @@ double ForceLoop::add_motion(const Motion& motion, const ParticleView& particles
   return work;
 }
 
-template <bool with_drag, bool with_added_mass>
+template <bool with_inertia>
 void ForceLoop::solve_motion(const ParticleView& particles, ExchangeRecords& records, double* force,
                              double dt, double share) {
   double impulse[3] = {0.0, 0.0, 0.0};
   double drag_work = 0.0;
-  double added_work = 0.0;
+  double virtual_mass_work = 0.0;
+  double history_work = 0.0;
+  const RecordLayout& layout = records.layout();
   for (std::size_t p = 0; p < particles.count; ++p) {
-    double* record = records.row(p);
-    const double K = with_drag ? records.K(p) : 0.0;
-    double added = 0.0;
-    if constexpr (with_added_mass) added = added_mass(particles.radius[p]);
+    const double K = own_drag_ ? records.K(p) : 0.0;
     const double mass = particles.mass[p];
-    const double inertia = mass + added;
-    const double less = less_by_response(K * dt / inertia);
-    const Eigen::Map<const Vec3> u = std::as_const(records).u(p);
-    Eigen::Map<Vec3> taken = records.taken(p);
+    [[maybe_unused]] double virtual_mass = 0.0;
+    [[maybe_unused]] double history_mass = 0.0;
+    [[maybe_unused]] Vec3 history = Vec3::Zero();
+    [[maybe_unused]] Vec3 rate = Vec3::Zero();  // Du/Dt - dv/dt
+    if constexpr (with_inertia) {
+      if (added_mass_) virtual_mass = ForceVirtualMass::added_mass(gas_, particles.radius[p]);
+      if (memory_) {
+        history_mass = memory_->added_mass(gas_, particles.radius[p]);
+        history = memory_->history(gas_, particles.radius[p], records.row(p) + layout.history);
+      }
+    }
+    const double added = virtual_mass + history_mass;
+    const double less = less_by_response(K * dt / (mass + added));
+    const auto u = records.u(p);
+    auto taken = records.taken(p);
     for (int d = 0; d < 3; ++d) {
       double& total = force[3 * p + d];
       const double pull = K * (u[d] - particles.velocity[3 * p + d]);
       double gain;
-      if constexpr (with_added_mass) {
-        const double gas_acceleration = record[records.layout().acceleration + d];
-        const double drive = pull + total + added * gas_acceleration;
-        const double acceleration = (1.0 + less) * drive / inertia;
-        const double of_mass = added * (gas_acceleration - acceleration);
+      if constexpr (with_inertia) {
+        const double of_gas = records.row(p)[layout.acceleration + d];
+        const double drive = pull + total + history[d] + added * of_gas;
+        const double acceleration = (1.0 + less) * drive / (mass + added);
+        rate[d] = of_gas - acceleration;
         gain = mass * acceleration - total;
-        added_work += std::abs(of_mass);
-        drag_work += std::abs(gain - of_mass);
+        const double of_virtual_mass = virtual_mass * rate[d];
+        const double of_history = history_mass * rate[d] + history[d];
+        virtual_mass_work += std::abs(of_virtual_mass);
+        history_work += std::abs(of_history);
+        drag_work += std::abs(gain - of_virtual_mass - of_history);
       } else {
         gain = pull + less * (pull + total);
         drag_work += std::abs(gain);
@@ -157,32 +181,26 @@ void ForceLoop::solve_motion(const ParticleView& particles, ExchangeRecords& rec
       taken[d] += gain * share * dt;
       impulse[d] += gain;
     }
+    // The first half of a step after a start is no step of the memory.
+    if constexpr (with_inertia)
+      if (memory_ && share == 1.0) memory_->advance(records.row(p) + layout.history, rate);
   }
   const double duration = share * dt;
   applied_.reacting += Vec3(impulse[0], impulse[1], impulse[2]) * duration;
-  applied_.exchanged += (drag_work + added_work) * duration;
   std::size_t n = 0;
-  if (effects_.drag) applied_.work[n++] += with_drag ? drag_work * duration : 0.0;
-  if constexpr (with_added_mass)
-    for (const Force& chosen : effects_.forces) {
-      if (std::visit([](const auto& f) { return f.kind == ForceKind::added_mass; }, chosen))
-        applied_.work[n] += added_work * duration;
-      ++n;
-    }
-}
-
-// Of the virtual mass [kg].
-double ForceLoop::added_mass(double radius) const {
-  double sum = 0.0;
-  for (const Force& force : effects_.forces)
-    std::visit(
-        [&](const auto& chosen) {
-          using Chosen = std::decay_t<decltype(chosen)>;
-          if constexpr (Chosen::kind == ForceKind::added_mass)
-            sum += Chosen::added_mass(gas_, radius);
-        },
-        force);
-  return sum;
+  const auto book = [&](double work) {
+    applied_.work[n] += work * duration;
+    applied_.exchanged += work * duration;
+  };
+  if (effects_.drag) {
+    if (own_drag_) book(drag_work);
+    ++n;
+  }
+  for (const Force& chosen : effects_.forces) {
+    if (std::holds_alternative<ForceVirtualMass>(chosen)) book(virtual_mass_work);
+    if (std::holds_alternative<ForceBasset>(chosen)) book(history_work);
+    ++n;
+  }
 }
 
 }  // namespace gasgrain

@@ -17,6 +17,7 @@
 // that the host does not move is treated as if it could: of its drag it feels (1 - exp(-a)) / a.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "coupling/exchange/effects.h"
@@ -56,16 +57,19 @@ class ForceLoop {
   template <class Motion>
   double add_motion(const Motion& motion, const ParticleView& particles, ExchangeRecords& records,
                     const HostForces& host, double duration);
-  template <bool with_drag, bool with_added_mass>
+  template <bool with_inertia>
   void solve_motion(const ParticleView& particles, ExchangeRecords& records, double* force,
                     double dt, double share);
 
-  [[nodiscard]] double added_mass(double radius) const;
+  void make_memory(double dt);
 
   Effects effects_;
   GasProperties gas_;
   bool own_drag_;
-  bool added_mass_ = false;
+  bool added_mass_;
+  std::optional<ForceBasset> basset_;
+  std::optional<BassetKernel> memory_;
+  double dt_of_memory_ = 0.0;  // [s]
   AppliedForces applied_;
 };
 

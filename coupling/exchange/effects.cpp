@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 
 #include "coupling/base/error.h"
 
@@ -13,10 +15,20 @@ namespace {
 const std::string drag_word = "drag";
 const std::string method_word = "void_fraction";
 const std::string sharing_word = "momentum_sharing";
+const std::string self_word = "self_disturbance";
+
+// Whether the gas velocity that a particle sees is corrected for what the particle did to it.
+struct SelfUndone {
+  static constexpr std::string_view name = "undone";
+};
+struct SelfIgnored {
+  static constexpr std::string_view name = "ignored";
+};
+using SelfChoice = std::variant<SelfUndone, SelfIgnored>;
 
 std::vector<std::string> known_words() {
   std::vector<std::string> words = choice_names<Force>();
-  words.insert(words.begin(), {drag_word, method_word, sharing_word});
+  words.insert(words.begin(), {drag_word, method_word, sharing_word, self_word});
   return words;
 }
 
@@ -35,6 +47,10 @@ class EffectsParser {
       else if (word == sharing_word)
         read_choice<MomentumSharing>(
             word, [&](const MomentumSharing& sharing) { effects_.sharing = sharing; });
+      else if (word == self_word)
+        read_choice<SelfChoice>(word, [&](const SelfChoice& choice) {
+          effects_.ignore_self_disturbance = std::holds_alternative<SelfIgnored>(choice);
+        });
       else
         read_force(word);
     }
@@ -61,8 +77,48 @@ class EffectsParser {
     const auto force = choice_named<Force>(word);
     if (!force)
       fault("the effect \"{}\" is unknown.{}", word, suggestion(word, known_words()));
-    else if (is_new(word))
-      effects_.forces.push_back(*force);
+    else {
+      Force named = *force;
+      std::visit(
+          [&](auto& chosen) {
+            if constexpr (HasParameters<std::decay_t<decltype(chosen)>>::value)
+              read_parameters(word, chosen);
+          },
+          named);
+      if (is_new(word)) effects_.forces.push_back(named);
+    }
+  }
+
+  // Pairs of a parameter's name and its numbers, in any order, up to a word that is no parameter.
+  template <class Chosen>
+  void read_parameters(const std::string& force, Chosen& chosen) {
+    while (next_ < words_.size()) {
+      std::size_t n = 0;
+      while (n < Chosen::parameters.size() && words_[next_] != Chosen::parameters[n].name) ++n;
+      if (n == Chosen::parameters.size()) return;
+      ++next_;
+      for (int k = 0; k < Chosen::parameters[n].values; ++k)
+        if (!read_number(force, Chosen::parameters[n], chosen.values(n)[k])) return;
+    }
+  }
+
+  bool read_number(const std::string& force, const ForceParameter& parameter, double& value) {
+    const std::string word = next_ < words_.size() ? words_[next_] : "";
+    char* end = nullptr;
+    const double number = std::strtod(word.c_str(), &end);
+    const bool is_number = !word.empty() && *end == '\0' && std::isfinite(number);
+    if (is_number) ++next_;
+    if (is_number && number >= parameter.least && number <= parameter.most) {
+      value = number;
+      return true;
+    }
+    fault("{} {} must be followed by {} number(s) in {}{}, found \"{}\".", force, parameter.name,
+          parameter.values, parameter.unit,
+          std::isfinite(parameter.least)
+              ? fmt::format(" from {:g} to {:g}", parameter.least, parameter.most)
+              : "",
+          word);
+    return false;
   }
 
   void read_void_fraction(const std::string& word) {
@@ -159,6 +215,9 @@ RecordLayout Effects::layout(bool overlapped) const {
     layout.mean_coefficient = layout.add(1);
     layout.mean_velocity = layout.add(3);
   }
+  for (const auto& force : forces)
+    if (const auto* basset = std::get_if<ForceBasset>(&force))
+      layout.history = layout.add(static_cast<int>(basset->memory(1.0).state_size()));
   if (overlapped) {
     layout.position = layout.add(3);
     layout.velocity = layout.add(3);
@@ -170,7 +229,21 @@ std::string Effects::text() const {
   std::string words = method_word + " " + NamedMethod{method, choose_method}.text();
   if (drag) words += fmt::format(" {} {}", drag_word, name_of(*drag));
   if (drag && by_mean_velocity()) words += fmt::format(" {} {}", sharing_word, name_of(sharing));
-  for (const auto& force : forces) words += " " + std::string(name_of(force));
+  if (drag && ignore_self_disturbance) words += fmt::format(" {} {}", self_word, SelfIgnored::name);
+  for (Force force : forces) {
+    words += " " + std::string(name_of(force));
+    std::visit(
+        [&](auto& chosen) {
+          using Chosen = std::decay_t<decltype(chosen)>;
+          if constexpr (HasParameters<Chosen>::value)
+            for (std::size_t n = 0; n < Chosen::parameters.size(); ++n) {
+              words += fmt::format(" {}", Chosen::parameters[n].name);
+              for (int k = 0; k < Chosen::parameters[n].values; ++k)
+                words += fmt::format(" {}", chosen.values(n)[k]);
+            }
+        },
+        force);
+  }
   return words;
 }
 

@@ -1,7 +1,7 @@
 // The effects that a scene names, read from the words of its line, for instance
 //   drag koch_hill void_fraction offset pressure_gradient
-// `drag` and `momentum_sharing` take one name, `void_fraction` one name and for some of them a
-// number; a force is switched on by its bare name.
+// `drag`, `momentum_sharing` and `self_disturbance` take one name, `void_fraction` one name and for
+// some of them a number; a force is switched on by its bare name.
 //
 // Without a void_fraction word the method is chosen at the first coupling, when the sizes of the
 // particles are known (choose_method.h). Without a drag word there is no drag: an effect that is
@@ -26,7 +26,8 @@ struct Effects {
   bool choose_method = true;  // the method is to be chosen; until then `method` stands in
   std::optional<DragModel> drag;
   MomentumSharing sharing;
-  std::vector<Force> forces;  // in the order of the scene, none twice
+  bool ignore_self_disturbance = false;  // `self_disturbance ignored`: what it costs and changes
+  std::vector<Force> forces;             // in the order of the scene, none twice
 
   // Fields that the gas must lend for these effects, and fields that it must take.
   [[nodiscard]] FieldSet lent() const;

@@ -42,6 +42,44 @@ double add_steady(const ParticleView& particles, const ParticleWeights& weights,
   return magnitude;
 }
 
+struct SelfDisturbance {
+  double alone = 0.0;
+  double own_solids = 0.0;  // solid fraction of itself that the particle sees
+  Footprint footprint;
+};
+
+// Of particles that have others near nothing is asked for, which would be the dearer part.
+SelfDisturbance self_disturbance(const ParticleView& particles, const ParticleWeights& weights,
+                                 std::size_t p, double eps) {
+  constexpr double crowded = 0.1;  // solids of others at which `alone` is 1 %
+  const double volume = sphere_volume(particles.radius[p]);
+  SelfDisturbance self;
+  // No bell is narrower than a cell.
+  if (1.0 - eps > crowded + volume / weights.cell_volume()) return self;
+  self.footprint = weights.footprint(p);
+  self.own_solids = own_solid_fraction(volume, self.footprint);
+  self.alone = alone(1.0 - eps - self.own_solids);
+  return self;
+}
+
+// K' = K / (1 - K R), K and R at the slip grown by the same factor.
+template <class Law>
+double undisturbed(const Law& by_law, const GasProperties& gas, const SelfDisturbance& self,
+                   const Vec3& slip, DragRefresh& refresh) {
+  constexpr int passes = 3;  // each leaves less than the share itself of the error before
+  double growth = 1.0;
+  double K = 0.0;
+  bool cut = false;
+  for (int pass = 0; pass < passes; ++pass) {
+    K = by_law(growth);
+    const double share = self.alone * K * disturbance_per_force(gas, self.footprint, growth * slip);
+    cut = share > greatest_share;
+    growth = 1.0 / (1.0 - std::min(share, greatest_share));
+  }
+  if (cut) ++refresh.disturbance_cut;
+  return K * growth;
+}
+
 }  // namespace
 
 void deposit_solid_volume(const ParticleView& particles, const ParticleWeights& weights,
@@ -76,14 +114,22 @@ DragRefresh refresh_drag(const ParticleView& particles, const ParticleWeights& w
   std::visit(
       [&](const auto& law) {
         for (std::size_t p = 0; p < particles.count; ++p) {
-          const double eps = records.K(p);
+          double eps = records.K(p);
           if (eps < least_drag_void_fraction - round_off) ++refresh.too_dense;
           refresh.least_void_fraction = std::min(refresh.least_void_fraction, eps);
-          const double met = std::clamp(eps, least_drag_void_fraction, 1.0);
+          const SelfDisturbance self = effects.ignore_self_disturbance
+                                           ? SelfDisturbance{}
+                                           : self_disturbance(particles, weights, p, eps);
+          eps = std::clamp(eps + self.alone * self.own_solids, least_drag_void_fraction, 1.0);
           const auto coefficient = [&](const Vec3& v) {
-            const double K =
-                law.coefficient(gas, met, (records.u(p) - v).norm(), 2.0 * particles.radius[p]);
-            return gas.whole_pressure_gradient ? K / met : K;
+            const Vec3 slip = records.u(p) - v;
+            const auto by_law = [&](double growth) {
+              const double K =
+                  law.coefficient(gas, eps, growth * slip.norm(), 2.0 * particles.radius[p]);
+              return gas.whole_pressure_gradient ? K / eps : K;
+            };
+            if (self.alone == 0.0) return by_law(1.0);
+            return undisturbed(by_law, gas, self, slip, refresh);
           };
           records.K(p) = coefficient(particles.v(p));
           if (by_mean)

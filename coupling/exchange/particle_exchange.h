@@ -27,10 +27,12 @@ void deposit_solids(const ParticleView& particles, const ParticleWeights& weight
 
 struct DragRefresh {
   std::size_t too_dense = 0;         // particles at a void fraction below least_drag_void_fraction
+  std::size_t disturbance_cut = 0;   // particles whose own disturbance is beyond what can be undone
   double least_void_fraction = 1.0;  // met at any particle, before it was raised to that bound
 };
 
-// K of every record from the void fraction and the last gas velocity [m/s] at the particle.
+// K of every record from the void fraction and the last gas velocity [m/s] at the particle, its own
+// disturbance undone (self_disturbance.h).
 DragRefresh refresh_drag(const ParticleView& particles, const ParticleWeights& weights,
                          const Effects& effects, const GasProperties& gas, const FieldStore& fields,
                          ExchangeRecords& records);

@@ -1,6 +1,7 @@
 #include "coupling/exchange/particle_weights.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace gasgrain {
 namespace {
@@ -32,6 +33,7 @@ bool usable(const Vec3& x, const TileFrame& frame) {
 void ParticleWeights::find(const ParticleView& particles, const VoidFractionMethod& method,
                            const TileFrame& frame) {
   tile_ = frame.tile;
+  h_ = frame.grid.spacing();
   first_.resize(particles.count + 1);
   cell_.clear();
   weight_.clear();
@@ -48,6 +50,11 @@ void ParticleWeights::find(const ParticleView& particles, const VoidFractionMeth
           make_spread(particles, sized, frame);
         } else {
           list(particles, chosen, tile_, frame, [](int, int, int) {});
+          for (int d = 0; d < 3; ++d) {
+            centre_[d].resize(tile_.extent(d));
+            std::iota(centre_[d].begin(), centre_[d].end(), tile_.lo[d] + 0.5);
+            variance_[d].assign(tile_.extent(d), 0.0);
+          }
         }
       },
       method);
@@ -115,6 +122,41 @@ void ParticleWeights::make_spread(const ParticleView& particles, const Method& m
       });
   }
   spread_.emplace(axes);
+  for (int d = 0; d < 3; ++d) {
+    centre_[d].assign(points_.extent(d), 0.0);
+    variance_[d].assign(points_.extent(d), 0.0);
+    for (int point = touched[d].lo; point < touched[d].hi; ++point) {
+      double mean = 0.0;
+      double square = 0.0;
+      for (int cell = axes[d].outer.lo; cell < axes[d].outer.hi; ++cell) {
+        const double w = axes[d].share(cell - axes[d].outer.lo, point - touched[d].lo);
+        mean += w * (cell + 0.5);
+        square += w * (cell + 0.5) * (cell + 0.5);
+      }
+      centre_[d][point - points_.lo[d]] = mean;
+      variance_[d][point - points_.lo[d]] = square - mean * mean;
+    }
+  }
+}
+
+Footprint ParticleWeights::footprint(std::size_t p) const {
+  const IndexBox& box = spread_ ? points_ : tile_;
+  const auto nx = static_cast<std::uint32_t>(box.extent(0));
+  const auto ny = static_cast<std::uint32_t>(box.extent(1));
+  Vec3 mean = Vec3::Zero();
+  Vec3 square = Vec3::Zero();
+  Vec3 within = Vec3::Zero();
+  for (std::size_t n = first_[p]; n < first_[p + 1]; ++n) {
+    const std::array<std::uint32_t, 3> at{cell_[n] % nx, cell_[n] / nx % ny, cell_[n] / nx / ny};
+    for (int d = 0; d < 3; ++d) {
+      const double x = centre_[d][at[d]];
+      mean[d] += weight_[n] * x;
+      square[d] += weight_[n] * x * x;
+      within[d] += weight_[n] * variance_[d][at[d]];
+    }
+  }
+  const Vec3 between = (square - mean.cwiseProduct(mean)).cwiseMax(0.0);
+  return {(between + within).cwiseProduct(h_).cwiseProduct(h_), h_};
 }
 
 }  // namespace gasgrain

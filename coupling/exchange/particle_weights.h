@@ -19,6 +19,7 @@
 #include "coupling/base/array3.h"
 #include "coupling/base/error.h"
 #include "coupling/exchange/particle_view.h"
+#include "coupling/exchange/self_disturbance.h"
 #include "coupling/exchange/void_fraction/methods.h"
 
 namespace gasgrain {
@@ -42,6 +43,10 @@ class ParticleWeights {
   [[nodiscard]] const IndexBox& tile() const { return tile_; }
   // Particles whose centre was beyond a wall of the box: the host's walls leak or are elsewhere.
   [[nodiscard]] std::size_t beyond_walls() const { return beyond_walls_; }
+
+  [[nodiscard]] double cell_volume() const { return h_.prod(); }  // [m3]
+  // Where a particle's weights lie, and how far apart.
+  [[nodiscard]] Footprint footprint(std::size_t p) const;
 
   // Adds value(p), a double, of every particle to the field.
   template <class F>
@@ -145,7 +150,10 @@ class ParticleWeights {
   std::vector<double> weight_;
   std::size_t beyond_walls_ = 0;
   std::optional<SeparableSpread> spread_;
-  IndexBox points_;  // where there is a spread
+  // Of each point along each axis: mean and variance of the cells' centres, in cells.
+  std::array<std::vector<double>, 3> centre_, variance_;
+  Vec3 h_ = Vec3::Ones();  // [m]
+  IndexBox points_;        // where there is a spread
 };
 
 }  // namespace gasgrain

@@ -44,7 +44,7 @@ constexpr double bed_height_share = 0.995;
 
 // Columns of history.csv (docs/liggghts.md), in the order of record(); the ledger's
 // and the probes' pressures follow.
-constexpr std::array<const char*, 29> history_columns{"time_s",
+constexpr std::array<const char*, 30> history_columns{"time_s",
                                                       "step",
                                                       "particles",
                                                       "bed_height_m",
@@ -64,6 +64,7 @@ constexpr std::array<const char*, 29> history_columns{"time_s",
                                                       "moved_cells",
                                                       "too_dense",
                                                       "beyond_walls",
+                                                      "disturbance_cut",
                                                       "momentum_not_converged",
                                                       "pressure_not_converged",
                                                       "outer_not_converged",
@@ -302,6 +303,7 @@ void FixCoupleGas::record() {
   const auto clamps = coupled_->take_clamps();
   const long too_dense = local.sum(clamps.too_dense);
   const long beyond_walls = local.sum(clamps.beyond_walls);
+  const long disturbance_cut = local.sum(clamps.disturbance_cut);
   const long bytes = local.sum(coupled_->take_bytes());
   const auto ledger = coupled_->whole_ledger(particles(), records_);
   const gasgrain::Report& gas = coupled_->report();
@@ -328,6 +330,7 @@ void FixCoupleGas::record() {
                            count(gas.moved_cells),
                            count(too_dense),
                            count(beyond_walls),
+                           count(disturbance_cut),
                            count(gas.momentum_not_converged),
                            count(gas.pressure_not_converged),
                            count(gas.outer_not_converged),

@@ -73,7 +73,7 @@ Ledger run(const Effects& effects, int couplings, int steps_after_last) {
       for (double& v : cloud.velocity) v += random.between(-0.5, 0.5);
       std::vector<double> force(cloud.velocity.size(), 1e-3);
       std::vector<double> torque(cloud.velocity.size(), 0.0);
-      forces.apply(cloud.view(), records, {force.data(), torque.data()}, interval / 10.0, 1.0);
+      forces.apply(cloud.view(), records, {force.data(), torque.data()}, 2e-5, 1.0);
       if (step == 4 && coupling % 3 == 1) {
         ledger.add_left(records.carry(records.size() - 1));
         records.resize(records.size() - 1);
@@ -98,7 +98,11 @@ Effects every_force(std::string_view drag, std::string_view method, std::string_
                                  std::string(method),
                                  "momentum_sharing",
                                  std::string(sharing)};
-  for (const std::string& force : choice_names<Force>()) words.push_back(force);
+  for (const std::string& force : choice_names<Force>()) {
+    words.push_back(force);
+    if (force == "lorentz")
+      for (const char* word : {"charge", "1e-6", "electric", "10", "20", "-5"}) words.push_back(word);
+  }
   return parse_effects(words, "test");
 }
 

@@ -16,12 +16,14 @@
 //   (virtual_mass.h). The thesis calls the variable of integration a relaxation time; it is time.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <string_view>
 
 #include "coupling/exchange/drag/basis.h"
 #include "coupling/exchange/forces/basset_kernel.h"
 #include "coupling/exchange/forces/force_kind.h"
+#include "coupling/exchange/forces/force_parameter.h"
 #include "coupling/exchange/gas_fields.h"
 #include "coupling/exchange/sphere.h"
 
@@ -34,6 +36,20 @@ struct ForceBasset {
   using Memory = BassetKernel;
 
   static constexpr FieldSet lent() { return FieldSet().add(GasField::acceleration); }
+
+  // `basset tolerance E horizon N`: the greatest error of the memory within the last N steps.
+  // A hundredth is less than the law's own error; 1e5 DEM steps outlast most runs' transients.
+  static constexpr std::array<ForceParameter, 2> parameters{{
+      {"tolerance", 1, "1", 1e-4, 0.2},
+      {"horizon", 1, "DEM steps", 10.0, 1e9},
+  }};
+  double* values(std::size_t n) { return n == 0 ? &tolerance : &horizon; }
+
+  double tolerance = 0.01;
+  double horizon = 1e5;
+
+  // For a DEM step [s].
+  [[nodiscard]] Memory memory(double dt) const { return {dt, horizon * dt, tolerance}; }
 
   static double coefficient(const GasProperties& gas, double radius) {
     return 6.0 * radius * radius * std::sqrt(pi * gas.density * gas.viscosity);
