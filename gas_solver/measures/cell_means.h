@@ -14,7 +14,8 @@ void add_vorticity(const Domain& domain, const CellVector& u, double weight, Cel
 void add_convection(const Domain& domain, const CellVector& u, double weight, CellVector& sum);
 // div tau [N/m3], tau = mu (grad u + grad u^T - 2/3 div u) of a constant mu: mu (laplace u + 1/3
 // grad div u). The mean of the cell's two faces, in each of which it is second order; a face on a
-// side takes the value of the cell's opposite face.
+// side takes the value of the cell's opposite face. First order in the cells at the sides, exact
+// for a parabola from a wall.
 void add_viscous_force(const Domain& domain, const CellVector& u, double viscosity, double weight,
                        CellVector& sum);
 

@@ -347,6 +347,27 @@ TEST(basset, of_a_constant_rate_grows_as_the_root_of_time_over_1e5_steps) {
   }
 }
 
+// Int_0^inf cos(w (t - s)) s^(-1/2) ds = (pi / w)^(1/2) cos(w t - pi/4). What the beginning leaves
+// behind is 1 / (pi w t)^(1/2) of it, 1 % after 500 periods.
+TEST(basset, of_an_oscillation_lags_by_an_eighth_of_a_period) {
+  const double w = 2.0 * pi;
+  const int steps_a_period = 100;
+  const int steps = 500 * steps_a_period;
+  const double dt = 1.0 / steps_a_period;
+  const BassetKernel memory(dt, steps * dt, 0.01);
+  std::vector<double> state(memory.state_size(), 0.0);
+  const double B = ForceBasset::coefficient(unit_gas, 1.0);
+  for (int n = 0; n < steps; ++n) {
+    const double t = (n + 0.5) * dt;
+    const Vec3 rate = std::cos(w * t) * Vec3::UnitX();
+    const Vec3 force =
+        memory.added_mass(unit_gas, 1.0) * rate + memory.history(unit_gas, 1.0, state.data());
+    memory.advance(state.data(), rate);
+    if (n < steps - steps_a_period) continue;
+    EXPECT_NEAR(force.x() / (B * std::sqrt(pi / w)), std::cos(w * t - 0.25 * pi), 0.02) << t;
+  }
+}
+
 // One step of acceleration, and how its force fades.
 TEST(basset, meets_its_tolerance_at_every_step_up_to_the_horizon_and_fades_beyond) {
   const int horizon = 10000;
