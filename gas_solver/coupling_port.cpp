@@ -140,6 +140,12 @@ void CouplingPort::take_solids(bool fresh) {
       for (std::size_t n = 0; n < velocity.size(); ++n)
         velocity[n] = solid_volume[n] > 0 ? flux[n] / solid_volume[n] : 0.0;
     }
+  if (lent_.has(GasField::sauter_diameter)) {
+    const Array3<double>& surface = fields_.scalar(GasField::solid_surface);
+    Array3<double>& diameter = fields_.scalar(GasField::sauter_diameter);
+    for (std::size_t n = 0; n < diameter.size(); ++n)
+      diameter[n] = surface[n] > 0 ? 6.0 * solid_volume[n] / surface[n] : 0.0;
+  }
   Array3<double> solids(solver_.domain().box());
   const double cell = solver_.grid().cell_volume();
   for_each_cell(solver_.own(), [&](int i, int j, int k) {

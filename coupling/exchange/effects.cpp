@@ -15,6 +15,7 @@ namespace {
 const std::string drag_word = "drag";
 const std::string method_word = "void_fraction";
 const std::string sharing_word = "momentum_sharing";
+const std::string polydisperse_word = "polydisperse";
 const std::string self_word = "self_disturbance";
 
 // Whether the gas velocity that a particle sees is corrected for what the particle did to it.
@@ -28,7 +29,7 @@ using SelfChoice = std::variant<SelfUndone, SelfIgnored>;
 
 std::vector<std::string> known_words() {
   std::vector<std::string> words = choice_names<Force>();
-  words.insert(words.begin(), {drag_word, method_word, sharing_word, self_word});
+  words.insert(words.begin(), {drag_word, method_word, sharing_word, self_word, polydisperse_word});
   return words;
 }
 
@@ -47,6 +48,8 @@ class EffectsParser {
       else if (word == sharing_word)
         read_choice<MomentumSharing>(
             word, [&](const MomentumSharing& sharing) { effects_.sharing = sharing; });
+      else if (word == polydisperse_word)
+        effects_.polydisperse = is_new(word);
       else if (word == self_word)
         read_choice<SelfChoice>(word, [&](const SelfChoice& choice) {
           effects_.ignore_self_disturbance = std::holds_alternative<SelfIgnored>(choice);
@@ -54,6 +57,10 @@ class EffectsParser {
       else
         read_force(word);
     }
+    if (!effects_.drag)
+      for (const std::string& word : {polydisperse_word, sharing_word, self_word})
+        if (std::find(seen_.begin(), seen_.end(), word) != seen_.end())
+          fault("\"{}\" changes drag, and there is none. Add \"drag NAME\", or remove it.", word);
     if (!faults_.empty()) throw Error(fmt::format("{}", fmt::join(faults_, "\n")));
     return effects_;
   }
@@ -165,6 +172,7 @@ FieldSet Effects::lent() const {
   FieldSet fields;
   if (drag) fields.add(GasField::void_fraction).add(GasField::velocity);
   if (drag && by_mean_velocity()) fields.add(GasField::solids_velocity);
+  if (drag && polydisperse) fields.add(GasField::sauter_diameter);
   for (const auto& force : forces)
     fields = fields.united(std::visit([](const auto& chosen) { return chosen.lent(); }, force));
   return fields;
@@ -174,6 +182,7 @@ FieldSet Effects::taken() const {
   FieldSet fields = FieldSet().add(GasField::solid_volume);
   if (drag) fields.add(GasField::drag_coefficient);
   if (drag && by_mean_velocity()) fields.add(GasField::solid_flux);
+  if (drag && polydisperse) fields.add(GasField::solid_surface);
   if (any_reacts()) fields.add(GasField::drag_source);
   return fields;
 }
@@ -228,6 +237,7 @@ RecordLayout Effects::layout(bool overlapped) const {
 std::string Effects::text() const {
   std::string words = method_word + " " + NamedMethod{method, choose_method}.text();
   if (drag) words += fmt::format(" {} {}", drag_word, name_of(*drag));
+  if (drag && polydisperse) words += " " + polydisperse_word;
   if (drag && by_mean_velocity()) words += fmt::format(" {} {}", sharing_word, name_of(sharing));
   if (drag && ignore_self_disturbance) words += fmt::format(" {} {}", self_word, SelfIgnored::name);
   for (Force force : forces) {

@@ -1,7 +1,7 @@
 // The effects that a scene names, read from the words of its line, for instance
 //   drag koch_hill void_fraction offset pressure_gradient
 // `drag`, `momentum_sharing` and `self_disturbance` take one name, `void_fraction` one name and for
-// some of them a number; a force is switched on by its bare name.
+// some of them a number; a force and `polydisperse` are switched on by their bare names.
 //
 // Without a void_fraction word the method is chosen at the first coupling, when the sizes of the
 // particles are known (choose_method.h). Without a drag word there is no drag: an effect that is
@@ -25,6 +25,7 @@ struct Effects {
   VoidFractionMethod method = VoidFractionTrilinear{};
   bool choose_method = true;  // the method is to be chosen; until then `method` stands in
   std::optional<DragModel> drag;
+  bool polydisperse = false;  // the drag law is corrected for a mixture of sizes
   MomentumSharing sharing;
   bool ignore_self_disturbance = false;  // `self_disturbance ignored`: what it costs and changes
   std::vector<Force> forces;             // in the order of the scene, none twice

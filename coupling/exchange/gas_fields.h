@@ -21,8 +21,10 @@ enum class GasField : std::uint8_t {
   acceleration,       // Du/Dt = du/dt + u . grad u, along the gas's own path
   viscous_force,      // div tau, with the molecular viscosity
   solids_velocity,    // mean over the solids, sum over all DEM ranks
+  sauter_diameter,    // of the cell's grains: six times their volume over their surface
   solid_volume,       // volume of solids in the cell
   solid_flux,         // sum of volume times velocity of the solids in the cell
+  solid_surface,      // surface of the solids in the cell
   drag_coefficient,   // sum of K of the particles in the cell, per volume
   drag_source,        // sum of K v, less what the ledger carries, per volume
 };
@@ -35,7 +37,7 @@ struct GasFieldInfo {
   bool lent;  // gas to particles (else particles to gas)
 };
 
-inline constexpr std::array<GasFieldInfo, 11> gas_field_list{{
+inline constexpr std::array<GasFieldInfo, 13> gas_field_list{{
     {GasField::void_fraction, "void_fraction", 1, "1", true},
     {GasField::velocity, "velocity", 3, "m/s", true},
     {GasField::pressure_gradient, "pressure_gradient", 3, "Pa/m", true},
@@ -43,8 +45,10 @@ inline constexpr std::array<GasFieldInfo, 11> gas_field_list{{
     {GasField::acceleration, "acceleration", 3, "m/s2", true},
     {GasField::viscous_force, "viscous_force", 3, "N/m3", true},
     {GasField::solids_velocity, "solids_velocity", 3, "m/s", true},
+    {GasField::sauter_diameter, "sauter_diameter", 1, "m", true},
     {GasField::solid_volume, "solid_volume", 1, "m3", false},
     {GasField::solid_flux, "solid_flux", 3, "m4/s", false},
+    {GasField::solid_surface, "solid_surface", 1, "m2", false},
     {GasField::drag_coefficient, "drag_coefficient", 1, "kg/(m3 s)", false},
     {GasField::drag_source, "drag_source", 3, "N/m3", false},
 }};
@@ -82,9 +86,11 @@ class FieldSet {
 
 // A coupling has two stages: first the solids are taken and what depends on them alone is lent,
 // then everything else.
-inline constexpr FieldSet lent_early =
-    FieldSet().add(GasField::void_fraction).add(GasField::solids_velocity);
+inline constexpr FieldSet lent_early = FieldSet()
+                                           .add(GasField::void_fraction)
+                                           .add(GasField::solids_velocity)
+                                           .add(GasField::sauter_diameter);
 inline constexpr FieldSet taken_early =
-    FieldSet().add(GasField::solid_volume).add(GasField::solid_flux);
+    FieldSet().add(GasField::solid_volume).add(GasField::solid_flux).add(GasField::solid_surface);
 
 }  // namespace gasgrain

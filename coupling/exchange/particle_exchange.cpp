@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/exchange/drag/polydisperse.h"
+
 namespace gasgrain {
 namespace {
 
@@ -90,6 +92,9 @@ void deposit_solid_volume(const ParticleView& particles, const ParticleWeights& 
 void deposit_solids(const ParticleView& particles, const ParticleWeights& weights,
                     const Effects& effects, FieldStore& fields) {
   deposit_solid_volume(particles, weights, fields.scalar(GasField::solid_volume));
+  if (effects.drag && effects.polydisperse)
+    weights.deposit([&](std::size_t p) { return sphere_surface(particles.radius[p]); },
+                    fields.scalar(GasField::solid_surface));
   if (effects.drag && effects.by_mean_velocity())
     weights.deposit(
         [&](std::size_t p) -> Vec3 { return sphere_volume(particles.radius[p]) * particles.v(p); },
@@ -109,10 +114,17 @@ DragRefresh refresh_drag(const ParticleView& particles, const ParticleWeights& w
   if (by_mean)
     weights.sample(fields.vector(GasField::solids_velocity),
                    [&](std::size_t p, const Vec3& v) { records.at(p, layout.mean_velocity) = v; });
+  std::vector<double> sauter_diameter;
+  if (effects.polydisperse) {
+    sauter_diameter.resize(particles.count);
+    weights.sample(fields.scalar(GasField::sauter_diameter),
+                   [&](std::size_t p, double d) { sauter_diameter[p] = d; });
+  }
   constexpr double round_off = 1e-9;  // cells filled to the gas's own limit are at the bound
   DragRefresh refresh;
   std::visit(
       [&](const auto& law) {
+        using Law = std::decay_t<decltype(law)>;
         for (std::size_t p = 0; p < particles.count; ++p) {
           double eps = records.K(p);
           if (eps < least_drag_void_fraction - round_off) ++refresh.too_dense;
@@ -124,8 +136,11 @@ DragRefresh refresh_drag(const ParticleView& particles, const ParticleWeights& w
           const auto coefficient = [&](const Vec3& v) {
             const Vec3 slip = records.u(p) - v;
             const auto by_law = [&](double growth) {
-              const double K =
-                  law.coefficient(gas, eps, growth * slip.norm(), 2.0 * particles.radius[p]);
+              const double d = 2.0 * particles.radius[p];
+              const double speed = growth * slip.norm();
+              const double K = effects.polydisperse ? polydisperse_coefficient<Law>(
+                                                          gas, eps, speed, d, sauter_diameter[p])
+                                                    : Law::coefficient(gas, eps, speed, d);
               return gas.whole_pressure_gradient ? K / eps : K;
             };
             if (self.alone == 0.0) return by_law(1.0);

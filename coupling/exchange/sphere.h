@@ -9,4 +9,8 @@ inline double sphere_volume(double radius) {
   return 4.0 / 3.0 * pi * radius * radius * radius;
 }
 
+inline double sphere_surface(double radius) {
+  return 4.0 * pi * radius * radius;
+}
+
 }  // namespace gasgrain

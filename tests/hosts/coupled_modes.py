@@ -129,6 +129,20 @@ class Modes(unittest.TestCase):
         sharing = numbers_a_cell(
             "void_fraction trilinear drag koch_hill momentum_sharing scheme_2")
         self.assertEqual(sharing, drag + 3 + 3)
+        mixture = numbers_a_cell("void_fraction trilinear drag beetstra polydisperse")
+        self.assertEqual(mixture, drag + 1 + 1)
+        for force, needs in (("saffman_mei", 3), ("virtual_mass", 3), ("viscous_stress", 3)):
+            self.assertEqual(numbers_a_cell(f"void_fraction trilinear drag koch_hill {force}"),
+                             drag + needs, force)
+
+    def test_every_force_is_in_the_ledger_and_does_something(self):
+        forces = ("viscous_stress virtual_mass basset saffman_mei magnus rotation_torque "
+                  "lorentz charge 1e-9 electric 0 0 1e3")
+        history = run(f"{COUPLE} {forces} polydisperse")
+        self.assert_ledger_closes(history)
+        self.assert_momentum_closes(history)
+        for name in ("drag", "pressure_gradient", *forces.split()[:6], "lorentz"):
+            self.assertGreater(history[-1][f"impulse_of_{name}_Ns"], 0.0, name)
 
     def test_an_unknown_mode_is_told_with_the_nearest_name(self):
         with Scene(couple=COUPLE.replace("void_fraction", "mode overlaped void_fraction")) as scene:

@@ -21,6 +21,7 @@ struct Bed {
   std::array<Array3<double>, 3> velocity{Array3<double>(frame.tile), Array3<double>(frame.tile),
                                          Array3<double>(frame.tile)};
   double void_fraction = 0.5;
+  double sauter_diameter = 0.0;
   double dt = 1e-5;
   AppliedForces applied;
 
@@ -35,6 +36,8 @@ struct Bed {
     if (fields.has(GasField::velocity)) fields.vector(GasField::velocity) = velocity;
     if (fields.has(GasField::void_fraction))
       fields.scalar(GasField::void_fraction).fill(void_fraction);
+    if (fields.has(GasField::sauter_diameter))
+      fields.scalar(GasField::sauter_diameter).fill(sauter_diameter);
     if (fields.has(GasField::pressure_gradient))
       for (int d = 0; d < 3; ++d)
         fields.vector(GasField::pressure_gradient)[d].fill(pressure_gradient[d]);
@@ -171,6 +174,38 @@ TEST(particle_exchange, names_the_field_that_the_gas_did_not_return) {
   } catch (const Error& e) {
     EXPECT_NE(std::string(e.what()).find("pressure_gradient"), std::string::npos);
   }
+}
+
+TEST(particle_exchange, polydisperse_changes_nothing_in_a_bed_of_one_size) {
+  Bed bed;
+  for (double& r : bed.cloud.radius) r = cloud_radius;
+  bed.sauter_diameter = 2.0 * cloud_radius;
+  const ExchangeRecords one = bed.couple(parse_effects({"drag", "beetstra"}, "test"));
+  const ExchangeRecords mixture =
+      bed.couple(parse_effects({"drag", "beetstra", "polydisperse"}, "test"));
+  for (std::size_t p = 0; p < one.size(); ++p) EXPECT_NEAR(one.K(p) / mixture.K(p), 1.0, 1e-13);
+}
+
+// K(d) = y^2 K(d_s), y = d / d_s: with it a bed of any mixture has the drag of the bed of d_s.
+TEST(particle_exchange, polydisperse_bed_has_the_drag_of_the_bed_of_its_sauter_diameter) {
+  Bed bed;
+  double volume = 0.0;
+  double surface = 0.0;
+  for (auto& component : bed.velocity) component.fill(1.0);
+  for (double& v : bed.cloud.velocity) v = 0.0;
+  for (const double r : bed.cloud.radius) {
+    volume += sphere_volume(r);
+    surface += sphere_surface(r);
+  }
+  bed.sauter_diameter = 6.0 * volume / surface;
+  const Effects effects = parse_effects({"drag", "beetstra", "polydisperse"}, "test");
+  const ExchangeRecords mixture = bed.couple(effects);
+  double sum = 0.0;
+  for (std::size_t p = 0; p < mixture.size(); ++p) sum += mixture.K(p);
+  const double one =
+      DragBeetstra::coefficient(air, bed.void_fraction, Vec3::Ones().norm(), bed.sauter_diameter);
+  // As many spheres of d_s as have the same volume.
+  EXPECT_NEAR(sum / (one * volume / sphere_volume(0.5 * bed.sauter_diameter)), 1.0, 1e-12);
 }
 
 TEST(particle_exchange, counts_particles_in_cells_too_dense_for_drag) {
