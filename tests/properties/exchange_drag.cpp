@@ -47,6 +47,7 @@ double refreshed(const DragModel& law, double eps, const Vec3& u, const Vec3& v)
   weights.find(cloud.view(), VoidFractionOffset{}, frame);
   Effects effects;
   effects.drag = law;
+  effects.ignore_self_disturbance = true;  // of the law alone
   FieldStore fields(effects.lent(), frame.tile);
   for (int d = 0; d < 3; ++d) fields.vector(GasField::velocity)[d].fill(u[d]);
   fields.scalar(GasField::void_fraction).fill(eps);

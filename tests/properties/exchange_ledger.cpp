@@ -101,7 +101,8 @@ Effects every_force(std::string_view drag, std::string_view method, std::string_
   for (const std::string& force : choice_names<Force>()) {
     words.push_back(force);
     if (force == "lorentz")
-      for (const char* word : {"charge", "1e-6", "electric", "10", "20", "-5"}) words.push_back(word);
+      for (const char* word : {"charge", "1e-6", "electric", "10", "20", "-5"})
+        words.push_back(word);
   }
   return parse_effects(words, "test");
 }
