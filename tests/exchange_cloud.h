@@ -85,4 +85,16 @@ inline TileFrame whole_frame(const BoxGrid& grid, const VoidFractionMethod& meth
   return frame;
 }
 
+// A field over a tile with unwrapped indices, added up over the cells of the box.
+inline Array3<double> wrapped(const Array3<double>& field, const BoxGrid& grid) {
+  Array3<double> sum(grid.all());
+  for_each_cell(field.box(), [&](int i, int j, int k) {
+    Int3 cell{i, j, k};
+    for (int d = 0; d < 3; ++d)
+      cell[d] = ((cell[d] % grid.cells[d]) + grid.cells[d]) % grid.cells[d];
+    sum(cell[0], cell[1], cell[2]) += field(i, j, k);
+  });
+  return sum;
+}
+
 }  // namespace gasgrain

@@ -137,7 +137,7 @@ std::string error_entry(const Row& row) {
 }
 
 std::string spread_entry(const Row& row) {
-  return fmt::format("{:.2g} ({:.2g})", row.spread, row.least + 0.0);
+  return fmt::format("{:.2g} ({:.2g})", row.spread, std::abs(row.least) < 1e-12 ? 0.0 : row.least);
 }
 
 std::string time_entry(const Row& row) {

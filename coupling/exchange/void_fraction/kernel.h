@@ -73,11 +73,15 @@ struct VoidFractionKernel {
     const int reached = reach(grid, axis, radius) - 1;
     const int n = grid.cells[axis];
     IndexRange cells{points.lo - reached, points.hi + reached};
-    if (!grid.periodic[axis]) cells = {std::max(0, cells.lo), std::min(n, cells.hi)};
+    if (grid.periodic[axis])
+      cells.hi = std::min(cells.hi, cells.lo + n);  // the rest are the same cells again
+    else
+      cells = {std::max(0, cells.lo), std::min(n, cells.hi)};
     AxisSpread spread(points, cells);
     for (int point = points.lo; point < points.hi; ++point)
       for (int m = 1 - static_cast<int>(u.size()); m < static_cast<int>(u.size()); ++m) {
-        const int cell = grid.periodic[axis] ? point + nearest_image(m, n) : mirrored(point + m, n);
+        const int cell = grid.periodic[axis] ? cells.lo + modulo(point + m - cells.lo, n)
+                                             : mirrored(point + m, n);
         spread.add(cell, point, u[std::abs(m)]);
       }
     return spread;
@@ -85,8 +89,6 @@ struct VoidFractionKernel {
 
  private:
   static int modulo(int a, int n) { return ((a % n) + n) % n; }
-  // A cell at a distance m is the same as one at m - n: the nearer one has it all.
-  static int nearest_image(int m, int n) { return modulo(m + n / 2, n) - n / 2; }
   static int mirrored(int cell, int n) {
     const int folded = modulo(cell, 2 * n);
     return folded < n ? folded : 2 * n - 1 - folded;
