@@ -24,11 +24,11 @@
 // Deviation: Sun and Xiao step the diffusion equation in time, with an error of the step, over the
 //   whole bed. Here its solution on the cells is applied.
 //
-// Why no transform: along an axis with walls S is a cosine transform, a factor, and the transform
-// back, in all a distributed transform of every field at every coupling. But S is short: a rank of
+// Why no transform (FFTW): between walls S is a cosine transform, a factor, and the transform back,
+// in all a distributed transform of every field at every coupling. But S is short: a rank of
 // particles needs the cells within reach of its own only, which its tile is grown by, so that no
-// rank talks to another; and three products of a banded matrix with a tile cost less than the
-// deposit of the particles.
+// rank talks to another; and three products of a banded matrix with a tile cost about as much as
+// the deposit of the particles.
 #pragma once
 
 #include <string_view>
