@@ -48,6 +48,33 @@ class SmallCells(unittest.TestCase):
         _, named = run("void_fraction kernel 2", 2)
         self.assertEqual(chosen, named)
 
+    def test_a_box_without_grains_is_coupled_and_the_choice_waits_for_them(self):
+        rain = """\
+run 100
+fix sphere all particletemplate/sphere 15485863 atom_type 1 density constant 2500 radius constant 0.00125
+fix sizes all particledistribution/discrete 15485867 1 sphere 1.0
+region above block 0.001 0.021 0.001 0.021 0.08 0.10 units box
+fix rain all insert/pack seed 32452843 distributiontemplate sizes maxattempt 100 insert_every once &
+    overlapcheck yes all_in yes vel constant 0. 0. -0.5 region above particles_in_region 20"""
+        couple = COUPLE.replace("void_fraction trilinear ", "")
+        with Scene(steps=200, couple=couple, extra=rain, jet=20.0) as scene:
+            script = scene.folder / "in.liggghts"
+            text = script.read_text()
+            for old, new in (("create_atoms 1 region bed", ""),
+                             ("set group all diameter 0.0025 density 2500", ""),
+                             ("map array", "map array sort 0 0")):
+                assert old in text
+                text = text.replace(old, new)
+            script.write_text(text)
+            status, text, _ = scene.run(dem_ranks=2)
+            self.assertEqual(status, 0, text)
+            self.assertEqual(text.count("void_fraction auto: kernel 2, for particles of 2.5 mm"), 1,
+                             text)
+            rows = scene.history()
+            self.assertEqual(rows[0]["particles"], 0)
+            self.assertEqual(rows[-1]["particles"], 20)
+            self.assertLess(rows[-1]["ledger_residual"], 1e-8)
+
     def test_wide_cells_get_trilinear_weights(self):
         text, _ = run("void_fraction auto", 1, cells="[2, 2, 10]")
         self.assertEqual(text.count("void_fraction auto: trilinear, for particles of 2.5 mm"), 1,
