@@ -10,7 +10,8 @@
 // of n cells the shares are the linear weights of the blocks' centres.
 //
 // Source: F. Alobaid, thesis, TU Darmstadt (2013), section 8.1.3, eqs 8.3 to 8.5; the cube is that
-//   of J. Link, thesis, TU Eindhoven (2006), as told there.
+//   of J.M. Link, Development and Validation of a Discrete Particle Model of a Spout-fluid Bed
+//   Granulator (2006), as told there.
 // Inputs: position [m], diameter [m], the greatest in the bed at the first coupling. Output:
 //   dimensionless weights, positive, sum 1.
 // Valid range: any size of cells; where h > SIZE d / 1.5 the blocks are cells and the weights
