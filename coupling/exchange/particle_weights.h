@@ -39,6 +39,7 @@ class ParticleWeights {
             const TileFrame& frame);
 
   [[nodiscard]] std::size_t particles() const { return first_.empty() ? 0 : first_.size() - 1; }
+  // Pairs of a particle and a cell, or a point where the method spreads points.
   [[nodiscard]] std::size_t entries() const { return cell_.size(); }
   [[nodiscard]] const IndexBox& tile() const { return tile_; }
   // Particles whose centre was beyond a wall of the box: the host's walls leak or are elsewhere.
