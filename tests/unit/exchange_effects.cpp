@@ -89,6 +89,53 @@ TEST(effects, without_the_name_they_need_say_which_there_are) {
   EXPECT_NE(faults_of({"void_fraction"}).find("centre, offset, trilinear"), std::string::npos);
 }
 
+TEST(effects, take_the_parameters_of_a_force_in_any_order) {
+  const Effects effects = parse_effects(
+      {"lorentz", "magnetic", "0", "0", "1e-3", "charge", "2e-9", "drag", "tang"}, "test");
+  const auto& lorentz = std::get<ForceLorentz>(effects.forces.front());
+  EXPECT_EQ(lorentz.charge, 2e-9);
+  EXPECT_EQ(lorentz.magnetic, Vec3(0, 0, 1e-3));
+  EXPECT_EQ(lorentz.electric, Vec3::Zero());
+  EXPECT_TRUE(effects.drag);
+  EXPECT_EQ(faults_of({"lorentz", "electric", "1", "2", "drag", "tang"}),
+            "in.liggghts:12: lorentz electric must be followed by 3 number(s) in V/m, found "
+            "\"drag\".");
+  EXPECT_NE(faults_of({"basset", "tolerance", "0.5"}).find("from 0.0001 to 0.2, found \"0.5\""),
+            std::string::npos);
+  const Effects all = parse_effects({"basset", "tolerance", "0.1", "horizon", "1000"}, "test");
+  EXPECT_EQ(all.text(), "void_fraction auto basset tolerance 0.1 horizon 1000");
+  EXPECT_EQ(all.layout(false).size, RecordLayout().size + 3 + 3 * 4);  // Du/Dt and four series
+}
+
+TEST(effects, that_change_drag_want_one) {
+  for (const std::string word : {"polydisperse", "momentum_sharing", "self_disturbance"}) {
+    std::vector<std::string> words{word};
+    if (word == "momentum_sharing") words.push_back("scheme_2");
+    if (word == "self_disturbance") words.push_back("ignored");
+    EXPECT_EQ(faults_of(words), "in.liggghts:12: \"" + word +
+                                    "\" changes drag, and there is none. Add \"drag NAME\", or "
+                                    "remove it.");
+    words.insert(words.end(), {"drag", "tang"});
+    const Effects effects = parse_effects(words, "test");
+    EXPECT_NE(effects.text().find(word), std::string::npos) << effects.text();
+  }
+}
+
+TEST(effects, ask_for_the_fields_and_the_room_of_their_own_only) {
+  const int bare = parse_effects({"drag", "tang"}, "test").layout(false).size;
+  EXPECT_EQ(bare, RecordLayout().size);
+  const auto size = [](const std::vector<std::string>& words, bool overlapped = false) {
+    return parse_effects(words, "test").layout(overlapped).size;
+  };
+  EXPECT_EQ(size({"drag", "tang", "pressure_gradient"}), bare);
+  EXPECT_EQ(size({"drag", "tang", "viscous_stress"}), bare + 3);
+  EXPECT_EQ(size({"drag", "tang", "saffman_mei", "magnus"}), bare + 3);
+  EXPECT_EQ(size({"drag", "tang", "virtual_mass"}), bare + 3);
+  EXPECT_EQ(size({"drag", "tang"}, true), bare + 6);
+  EXPECT_EQ(parse_effects({"saffman_mei"}, "test").taken().bits(),
+            FieldSet().add(GasField::solid_volume).add(GasField::drag_source).bits());
+}
+
 TEST(effects, named_twice_are_refused) {
   EXPECT_EQ(faults_of({"drag", "koch_hill", "drag", "di_felice"}),
             "in.liggghts:12: \"drag\" is named twice. Remove one of them.");
