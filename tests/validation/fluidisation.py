@@ -212,7 +212,7 @@ def described(result):
 
 class Fluidisation(unittest.TestCase):
     def test_minimum_fluidisation_is_ergun_s_and_the_flow_carries_the_weight(self):
-        result, _ = measure(Case(cell=(2.0, 0.5)))
+        result, _ = measure(Case(cell=(2.0, 0.5), overlap=0.006, fall=3.6, least=0.56))
         print(described(result))
         self.assertLess(abs(result["error"]), 0.05)
         self.assertLess(abs(result["error_within_bed"]), 0.05)
