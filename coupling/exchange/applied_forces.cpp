@@ -1,11 +1,16 @@
 #include "coupling/exchange/applied_forces.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "coupling/base/error.h"
 
 namespace gasgrain {
 namespace {
+
+// Their records, forces and velocities are some 100 KiB, so that the second pass over them finds
+// them in a near cache.
+constexpr std::size_t particles_at_once = 512;
 
 // (1 - exp(-a)) / a - 1, to round-off of the sum 1 + this.
 double less_by_response(double a) {
@@ -66,12 +71,25 @@ void ForceLoop::clear() {
 
 void ForceLoop::apply(const ParticleView& particles, ExchangeRecords& records,
                       const HostForces& host, double dt, double share) {
-  const double duration = share * dt;
+  if (basset_) make_memory(dt);
+  for (std::size_t begin = 0; begin < particles.count; begin += particles_at_once) {
+    const Block block{begin, std::min(begin + particles_at_once, particles.count)};
+    add_steady(block, records, host, share * dt);
+    add_motions(block, particles, records, host, share * dt);
+    if (added_mass_ || basset_)
+      solve_motion<true>(block, particles, records, host.force, dt, share);
+    else if (own_drag_)
+      solve_motion<false>(block, particles, records, host.force, dt, share);
+  }
+}
+
+void ForceLoop::add_steady(Block block, ExchangeRecords& records, const HostForces& host,
+                           double duration) {
   const int reaction = records.layout().reaction;
   Vec3 of_host = Vec3::Zero();
   Vec3 steady = Vec3::Zero();
   Vec3 reacting = Vec3::Zero();
-  for (std::size_t p = 0; p < particles.count; ++p) {
+  for (std::size_t p = block.begin; p < block.end; ++p) {
     Eigen::Map<Vec3> force(host.force + 3 * p);
     of_host += force;
     steady += records.steady_force(p);
@@ -84,31 +102,29 @@ void ForceLoop::apply(const ParticleView& particles, ExchangeRecords& records,
   applied_.host += of_host * duration;
   applied_.reacting += reacting * duration;
   applied_.free += (steady - reacting) * duration;
+}
 
+void ForceLoop::add_motions(Block block, const ParticleView& particles, ExchangeRecords& records,
+                            const HostForces& host, double duration) {
   std::size_t n = effects_.drag ? 1 : 0;
   for (const Force& force : effects_.forces) {
     std::visit(
         [&](const auto& chosen) {
           using Chosen = std::decay_t<decltype(chosen)>;
           if constexpr (Chosen::kind == ForceKind::motion || Chosen::kind == ForceKind::torque)
-            applied_.work[n] += add_motion(chosen, particles, records, host, duration);
+            applied_.work[n] += add_motion(chosen, block, particles, records, host, duration);
         },
         force);
     ++n;
   }
-  if (basset_) make_memory(dt);
-  if (added_mass_ || basset_)
-    solve_motion<true>(particles, records, host.force, dt, share);
-  else if (own_drag_)
-    solve_motion<false>(particles, records, host.force, dt, share);
 }
 
 template <class Motion>
-double ForceLoop::add_motion(const Motion& motion, const ParticleView& particles,
+double ForceLoop::add_motion(const Motion& motion, Block block, const ParticleView& particles,
                              ExchangeRecords& records, const HostForces& host, double duration) {
   double work = 0.0;
   Vec3 impulse = Vec3::Zero();
-  for (std::size_t p = 0; p < particles.count; ++p) {
+  for (std::size_t p = block.begin; p < block.end; ++p) {
     const GasAtParticle at = gas_at(records, p);
     const GrainState grain = grain_of(particles, p);
     if constexpr (Motion::kind == ForceKind::torque) {
@@ -133,14 +149,14 @@ double ForceLoop::add_motion(const Motion& motion, const ParticleView& particles
 }
 
 template <bool with_inertia>
-void ForceLoop::solve_motion(const ParticleView& particles, ExchangeRecords& records, double* force,
-                             double dt, double share) {
+void ForceLoop::solve_motion(Block block, const ParticleView& particles, ExchangeRecords& records,
+                             double* force, double dt, double share) {
   double impulse[3] = {0.0, 0.0, 0.0};
   double drag_work = 0.0;
   double virtual_mass_work = 0.0;
   double history_work = 0.0;
   const RecordLayout& layout = records.layout();
-  for (std::size_t p = 0; p < particles.count; ++p) {
+  for (std::size_t p = block.begin; p < block.end; ++p) {
     const double K = own_drag_ ? records.K(p) : 0.0;
     const double mass = particles.mass[p];
     [[maybe_unused]] double virtual_mass = 0.0;

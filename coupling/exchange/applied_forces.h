@@ -54,12 +54,20 @@ class ForceLoop {
   void clear();
 
  private:
+  // Particles begin <= p < end.
+  struct Block {
+    std::size_t begin;
+    std::size_t end;
+  };
+  void add_steady(Block block, ExchangeRecords& records, const HostForces& host, double duration);
+  void add_motions(Block block, const ParticleView& particles, ExchangeRecords& records,
+                   const HostForces& host, double duration);
   template <class Motion>
-  double add_motion(const Motion& motion, const ParticleView& particles, ExchangeRecords& records,
-                    const HostForces& host, double duration);
+  double add_motion(const Motion& motion, Block block, const ParticleView& particles,
+                    ExchangeRecords& records, const HostForces& host, double duration);
   template <bool with_inertia>
-  void solve_motion(const ParticleView& particles, ExchangeRecords& records, double* force,
-                    double dt, double share);
+  void solve_motion(Block block, const ParticleView& particles, ExchangeRecords& records,
+                    double* force, double dt, double share);
 
   void make_memory(double dt);
 
