@@ -137,6 +137,7 @@ void CoupledStep::begin(const ParticleView& particles, const DemRegion& region,
   answer_to_come_ = true;
   if (!overlapped_) {
     receive_answer();
+    const Stopwatch watch(costs_, cost_sample_);
     book_expected(particles, weights_, effects_, fields_, interval_, records);
     expected_in_interval_ = -outstanding_carry(particles.count, records);
   } else {
