@@ -92,6 +92,36 @@ void forces(benchmark::State& state, const std::vector<std::string>& words) {
     loop.apply(bed.cloud.view(), bed.records, {bed.force.data(), bed.torque.data()}, 1e-6, 1.0);
 }
 
+// All that a DEM rank does at a coupling but talk: to be held against 100 DEM steps.
+void coupled_step(benchmark::State& state, const std::vector<std::string>& words) {
+  SpoutedBed bed(words);
+  const ParticleView view = bed.cloud.view();
+  for (auto _ : state) {
+    bed.weights.find(view, bed.effects.method, bed.frame);
+    for (Array3<double>* field : bed.fields.components(bed.effects.taken())) field->fill(0.0);
+    deposit_solids(view, bed.weights, bed.effects, bed.fields);
+    benchmark::DoNotOptimize(
+        refresh_drag(view, bed.weights, bed.effects, air, bed.fields, bed.records));
+    deposit_drag(view, bed.weights, bed.effects, bed.grid.cell_volume(), 1e-4, bed.fields,
+                 bed.records);
+    book_expected(view, bed.weights, bed.effects, bed.fields, 1e-4, bed.records);
+    benchmark::DoNotOptimize(
+        set_gas_at_particles(view, bed.weights, bed.effects, air, bed.fields, 1e-4, bed.records));
+  }
+}
+
+// The forces of the DEM steps between two couplings.
+void forces_of_100_steps(benchmark::State& state, const std::vector<std::string>& words) {
+  SpoutedBed bed(words);
+  refresh_drag(bed.cloud.view(), bed.weights, bed.effects, air, bed.fields, bed.records);
+  set_gas_at_particles(bed.cloud.view(), bed.weights, bed.effects, air, bed.fields, 1e-4,
+                       bed.records);
+  ForceLoop loop(bed.effects, air);
+  for (auto _ : state)
+    for (int step = 0; step < 100; ++step)
+      loop.apply(bed.cloud.view(), bed.records, {bed.force.data(), bed.torque.data()}, 1e-6, 1.0);
+}
+
 void register_all() {
   const auto add = [](const std::string& name, auto function, auto argument) {
     benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
@@ -102,7 +132,9 @@ void register_all() {
     add("find_weights/" + name, find_weights, usual(name));
     add("deposit_volume_and_drag/" + name, deposit, usual(name));
     add("sample_velocity_and_pressure/" + name, sample, usual(name));
+    add("coupled_step/" + name, coupled_step, usual(name));
   }
+  add("forces_of_100_steps/drag_and_pressure_gradient", forces_of_100_steps, usual("offset"));
   for (const std::string& law : choice_names<DragModel>())
     add("refresh_drag/" + law, refresh,
         std::vector<std::string>{"void_fraction", "offset", "drag", law});
