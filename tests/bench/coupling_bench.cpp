@@ -2,13 +2,15 @@
 //
 //   mpirun -np 8 --oversubscribe --bind-to none --mca mpi_yield_when_idle 1
 //   build/bench/coupling_bench
-//     [--method NAME] [--particles N] [--cells N] [--couplings N] [--rounds N]
+//     [--method NAME] [--particles N] [--cells N] [--couplings N] [--rounds N] [--pause MS]
 //
 // DEM ranks run the real CoupledStep, gas ranks a stand-in that has no flow: it takes what is
 // deposited by the real transport and answers at once with given fields. A gas rank has a cube of
 // `cells` along each side, in which are `particles` particles; they are shared by the DEM ranks
 // there. Cases with more ranks than the launch has are left out; the ranks that a case does not
-// need sleep. Cases are run in turn, again and again, since the machine may be shared.
+// need sleep. Cases are run in turn, again and again, since the machine may be shared. With a pause
+// the gas ranks have waited long when the command comes, as they have after DEM steps, and look for
+// it less often.
 //
 // ms are wall time, of the slowest rank at each coupling, then the median over couplings. On fewer
 // cores than ranks they say little; processor time then says more: it knows no waiting.
@@ -16,8 +18,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <ctime>
+#include <thread>
 
 #include "coupling/coupled_step.h"
 #include "coupling/exchange/bed_measures.h"
@@ -71,6 +76,7 @@ struct Options {
   int cells = 36;
   int couplings = 20;
   int rounds = 3;
+  int pause = 0;  // of the DEM ranks before a coupling, instead of their steps [ms]
 };
 
 // What a rank measures at a coupling, [ms] and counts; of a case the greatest over the ranks.
@@ -236,6 +242,7 @@ std::vector<Row> run_dem(const Communicator& local, MPI_Comm partner, const Case
   std::vector<Row> rows;
   sent = {};
   for (long step = 0; step < warm_up + options.couplings; ++step) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(options.pause));
     meet_asleep(local);
     std::array<double, task_names.size()> before{};
     for (std::size_t n = 0; n < task_names.size(); ++n)
@@ -360,6 +367,8 @@ int main(int argc, char** argv) {
   app.add_option("--couplings", options.couplings, "of a case in a round")
       ->check(CLI::PositiveNumber);
   app.add_option("--rounds", options.rounds, "through all cases")->check(CLI::PositiveNumber);
+  app.add_option("--pause", options.pause, "of the DEM ranks before each coupling, ms")
+      ->check(CLI::NonNegativeNumber);
   CLI11_PARSE(app, argc, argv);
   try {
     run_all(options);

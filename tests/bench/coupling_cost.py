@@ -4,7 +4,9 @@
 The packed bed (packed once by the stock program) is run on with the gas for a short time, on one
 DEM rank and one gas rank that work in turn, with each method; the methods one after the other, again
 and again, so that a noisy machine treats them alike. Figures are medians of the runs, of wall time.
-100 % are the DEM steps between two couplings without anything of the coupling.
+100 % are the DEM steps between two couplings without anything of the coupling. On a machine with more
+to do than cores wall time favours what follows a sleep, as the drag law does; so a second table has
+processor time: of build/bench/exchange_bench, and of DEM steps alone.
 
     tests/bench/coupling_cost.py [--build build] [--time 0.02] [--repeats 3] [--methods offset ...]
 """
@@ -12,7 +14,9 @@ and again, so that a noisy machine treats them alike. Figures are medians of the
 import argparse
 import json
 import re
+import resource
 import statistics
+import subprocess
 from pathlib import Path
 
 from dem_speed import DT, PACKED, SCENE, SOURCE, launch, without_gas
@@ -50,6 +54,38 @@ def measure(work, build, method, time):
     coupling = {name.split(": ")[1]: ms for name, ms in dem.items() if name.startswith("coupling: ")}
     coupling["DEM steps"] = dem["total"] - sum(coupling.values())
     return coupling, gas
+
+
+def processor_s(work, build, steps):
+    """Of a launch of the DEM program without the gas."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    launch(work, ["-np", 1, build / "gasgrain-liggghts", "-in", "in.alone", "-log", "none", "-var", "out",
+                  work, "-var", "restart", PACKED, "-var", "time", steps * DT])
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def processor_table(work, build, methods, repeats, steps=500):
+    """The coupling's loops over particles against the DEM steps, in ms of processor time."""
+    dem, loops = [], {}
+    for _ in range(repeats):
+        dem.append(1e3 * EVERY / steps
+                   * (processor_s(work, build, steps) - processor_s(work, build, 0)))
+        done = subprocess.run([build / "bench/exchange_bench", "--benchmark_format=json",
+                               "--benchmark_filter=coupled_step|forces_of_100_steps"],
+                              capture_output=True, text=True, check=True)
+        for benchmark in json.loads(done.stdout)["benchmarks"]:
+            loops.setdefault(benchmark["name"], []).append(benchmark["cpu_time"])
+    steps_ms = statistics.median(dem)
+    print(f"\nProcessor time, median of {repeats} (least to greatest); {EVERY} DEM steps take "
+          f"{steps_ms:.0f} ({min(dem):.0f} to {max(dem):.0f}) ms\n")
+    print("| | ms a coupling | % of the DEM steps |\n|---|---|---|")
+    rows = [(f"`{method}`: deposit, drag, sampling", f"coupled_step/{method}") for method in methods]
+    rows.append((f"forces of {EVERY} steps", "forces_of_100_steps/drag_and_pressure_gradient"))
+    for name, benchmark in rows:
+        ms = loops[benchmark]
+        print(f"| {name} | {statistics.median(ms):.1f} ({min(ms):.1f} to {max(ms):.1f}) | "
+              f"{100.0 * statistics.median(ms) / steps_ms:.1f} |")
 
 
 def median(runs, value):
@@ -115,6 +151,7 @@ def main():
     timed = re.sub(r"^(dump|restart) .*\n", "", script, flags=re.M)
     for method in options.methods:
         (work / f"in.{method}").write_text(re.sub(r"void_fraction \w+", f"void_fraction {method}", timed))
+    (work / "in.alone").write_text(without_gas(timed))
     gas = (SCENE / "gas.toml").read_text()
     (work / "gas.toml").write_text(re.sub(r"^every = .*", "every = 1.0", gas, flags=re.M))
 
@@ -127,6 +164,7 @@ def main():
     print(f"\n{options.time:g} s, a coupling every {EVERY} DEM steps, median of {options.repeats} runs "
           "(least to greatest)")
     print_tables(results)
+    processor_table(work, build, options.methods, options.repeats)
 
 
 if __name__ == "__main__":
