@@ -137,9 +137,6 @@ void CoupledStep::begin(const ParticleView& particles, const DemRegion& region,
   answer_to_come_ = true;
   if (!overlapped_) {
     receive_answer();
-    const Stopwatch watch(costs_, cost_sample_);
-    book_expected(particles, weights_, effects_, fields_, interval_, records);
-    expected_in_interval_ = -outstanding_carry(particles.count, records);
   } else {
     for (std::size_t p = 0; p < particles.count; ++p) {
       records.at(p, records.layout().position) = particles.x(p);
@@ -149,6 +146,9 @@ void CoupledStep::begin(const ParticleView& particles, const DemRegion& region,
   const Stopwatch watch(costs_, cost_sample_);
   ledger_.add_work(set_gas_at_particles(particles, weights_, effects_, properties_, fields_,
                                         interval_, records));
+  if (overlapped_) return;
+  book_expected(particles, effects_, interval_, records);
+  expected_in_interval_ = -outstanding_carry(particles.count, records);
 }
 
 void CoupledStep::deposit(const ParticleView& particles) {

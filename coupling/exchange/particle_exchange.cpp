@@ -18,6 +18,17 @@ Vec3 gas_counterpart(const ParticleView& particles, const ExchangeRecords& recor
   return particles.v(p);
 }
 
+// u: of the gas that answers [m/s].
+void expect(const ParticleView& particles, bool by_mean, std::size_t p, const Vec3& u,
+            double interval, ExchangeRecords& records) {
+  records.expected(p) = gas_coefficient(records, by_mean, p) * interval *
+                        (u - gas_counterpart(particles, records, by_mean, p));
+}
+
+void expect_nothing(const ParticleView& particles, ExchangeRecords& records) {
+  for (std::size_t p = 0; p < particles.count; ++p) records.expected(p).setZero();
+}
+
 // Steady forces depend on one field each.
 constexpr GasField only_field(FieldSet set) {
   GasField found = gas_field_list[0].field;
@@ -72,9 +83,11 @@ double undisturbed(const Law& by_law, const GasProperties& gas, const SelfDistur
   double growth = 1.0;
   double K = 0.0;
   bool cut = false;
+  const DisturbancePerForce disturbance(gas, self.footprint, slip);
+  const double speed = slip.norm();
   for (int pass = 0; pass < passes; ++pass) {
     K = by_law(growth);
-    const double share = self.alone * K * disturbance_per_force(gas, self.footprint, growth * slip);
+    const double share = self.alone * K * disturbance.at(growth * speed);
     cut = share > greatest_share;
     growth = 1.0 / (1.0 - std::min(share, greatest_share));
   }
@@ -185,15 +198,19 @@ void deposit_drag(const ParticleView& particles, const ParticleWeights& weights,
 void book_expected(const ParticleView& particles, const ParticleWeights& weights,
                    const Effects& effects, const FieldStore& fields, double interval,
                    ExchangeRecords& records) {
-  if (!effects.drag) {
-    for (std::size_t p = 0; p < particles.count; ++p) records.expected(p).setZero();
-    return;
-  }
-  const bool by_mean = effects.drag && effects.by_mean_velocity();
+  if (!effects.drag) return expect_nothing(particles, records);
+  const bool by_mean = effects.by_mean_velocity();
   weights.sample(fields.vector(GasField::velocity), [&](std::size_t p, const Vec3& u) {
-    records.expected(p) = gas_coefficient(records, by_mean, p) * interval *
-                          (u - gas_counterpart(particles, records, by_mean, p));
+    expect(particles, by_mean, p, u, interval, records);
   });
+}
+
+void book_expected(const ParticleView& particles, const Effects& effects, double interval,
+                   ExchangeRecords& records) {
+  if (!effects.drag) return expect_nothing(particles, records);
+  const bool by_mean = effects.by_mean_velocity();
+  for (std::size_t p = 0; p < particles.count; ++p)
+    expect(particles, by_mean, p, records.u(p), interval, records);
 }
 
 std::vector<double> set_gas_at_particles(const ParticleView& particles,

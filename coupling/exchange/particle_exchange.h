@@ -49,6 +49,11 @@ void book_expected(const ParticleView& particles, const ParticleWeights& weights
                    const Effects& effects, const FieldStore& fields, double interval,
                    ExchangeRecords& records);
 
+// The same after set_gas_at_particles(), whose u in the records is that velocity when the weights
+// are still those of deposit_drag().
+void book_expected(const ParticleView& particles, const Effects& effects, double interval,
+                   ExchangeRecords& records);
+
 // What the forces of the interval [s] need of the gas, sampled at the particles. Returns for each
 // of Effects::names() the sum over particles and components of |F| interval [N s] where the force
 // is a steady one, 0 elsewhere.

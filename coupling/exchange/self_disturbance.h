@@ -69,19 +69,31 @@ inline double alone(double solids_of_others) {
   return 1.0 / (1.0 + near * near);
 }
 
+// R [s/kg] for slips of one direction: 1 / (at_rest + with_speed |slip|).
+struct DisturbancePerForce {
+  double at_rest = 0.0;     // [kg/s]
+  double with_speed = 0.0;  // [kg/m]
+
+  DisturbancePerForce(const GasProperties& gas, const Footprint& footprint, const Vec3& slip) {
+    const Vec3 h2 = footprint.h.cwiseProduct(footprint.h);
+    const Vec3 bell = footprint.variance + h2 / 32.0;
+    const double square = slip.squaredNorm();
+    const Vec3 along =
+        square > 0.0 ? Vec3(slip.cwiseProduct(slip) / square) : Vec3(Vec3::Constant(1.0 / 3.0));
+    const double across = std::sqrt(bell.prod() / along.dot(bell));
+    const double lengthwise = along.dot(bell) + 0.25 * along.dot(h2);
+    const double s = std::pow(lengthwise * across * across, 1.0 / 6.0);
+    const double stokes = 6.0 * std::pow(pi, 1.5);
+    at_rest = stokes * gas.viscosity * s;
+    with_speed = stokes * 4.0 / (3.0 * std::sqrt(pi)) * gas.density * across;
+  }
+  [[nodiscard]] double at(double speed) const { return 1.0 / (at_rest + with_speed * speed); }
+};
+
 // R [s/kg] at the undisturbed slip [m/s].
 inline double disturbance_per_force(const GasProperties& gas, const Footprint& footprint,
                                     const Vec3& slip) {
-  const Vec3 h2 = footprint.h.cwiseProduct(footprint.h);
-  const Vec3 bell = footprint.variance + h2 / 32.0;
-  const double speed = slip.norm();
-  const Vec3 along = speed > 0.0 ? Vec3(slip.cwiseProduct(slip) / (speed * speed))
-                                 : Vec3(Vec3::Constant(1.0 / 3.0));
-  const double across = std::sqrt(bell.prod() / along.dot(bell));
-  const double lengthwise = along.dot(bell) + 0.25 * along.dot(h2);
-  const double s = std::pow(lengthwise * across * across, 1.0 / 6.0);
-  const double wake = 4.0 / (3.0 * std::sqrt(pi)) * gas.density * speed * across;
-  return 1.0 / (6.0 * std::pow(pi, 1.5) * (gas.viscosity * s + wake));
+  return DisturbancePerForce(gas, footprint, slip).at(slip.norm());
 }
 
 }  // namespace gasgrain
