@@ -23,8 +23,18 @@ bool in_domain(const Domain& domain, Int3 cell, int axis, int direction) {
   return domain.grid().periodic[axis] || (next >= 0 && next < domain.grid().cells[axis]);
 }
 
+// Of most cells of a bed, which would otherwise cost as much as those that give.
+bool nothing_given_around(const Array3<double>& given, int i, int j, int k) {
+  const double* at = given.data() + given.offset(i, j, k);
+  if (*at != 0.0) return false;
+  for (int axis = 0; axis < 3; ++axis)
+    if (at[given.stride(axis)] != 0.0 || at[-given.stride(axis)] != 0.0) return false;
+  return true;
+}
+
 // What a cell loses on balance when every cell has given `given` away.
 double net_loss(const Domain& domain, const Array3<double>& given, int i, int j, int k) {
+  if (nothing_given_around(given, i, j, k)) return 0.0;
   double loss = 0.0;
   for (int axis = 0; axis < 3; ++axis)
     for (const int direction : {-1, 1}) {
