@@ -11,8 +11,7 @@
 namespace gasgrain {
 namespace {
 
-GasHello meet(const Communicator& local, MPI_Comm partner, const Effects& effects,
-              const DemScene& scene) {
+GasHello meet(GasPartner& partner, const Effects& effects, const DemScene& scene) {
   DemHello hello;
   put_text(hello.version, GASGRAIN_VERSION);
   for (int d = 0; d < 3; ++d) {
@@ -24,7 +23,7 @@ GasHello meet(const Communicator& local, MPI_Comm partner, const Effects& effect
   hello.time = scene.time;
   hello.lent = effects.lent().bits();
   hello.taken = effects.taken().bits();
-  const GasHello gas = greet_gas(local, partner, hello);
+  const GasHello gas = partner.greet(hello);
   const std::string faults = pairing_faults(hello, gas);
   if (!faults.empty()) throw Error(faults);
   return gas;
@@ -43,13 +42,13 @@ BoxGrid grid_of(const GasHello& gas) {
 
 }  // namespace
 
-CoupledStep::CoupledStep(const Communicator& local, MPI_Comm partner, const Effects& effects,
-                         const DemScene& scene)
+CoupledStep::CoupledStep(const Communicator& local, std::unique_ptr<GasPartner> partner,
+                         const Effects& effects, const DemScene& scene)
     : local_(local),
-      partner_(partner),
+      partner_(std::move(partner)),
       effects_(effects),
       overlapped_(scene.overlapped),
-      gas_(meet(local, partner, effects, scene)),
+      gas_(meet(*partner_, effects, scene)),
       properties_{gas_.density, gas_.viscosity, gas_.whole_pressure_gradient != 0},
       frame_{grid_of(gas_), {}},
       forces_(effects, properties_),
@@ -99,8 +98,8 @@ void CoupledStep::make_tile(const IndexBox& tile) {
   frame_.tile = tile;
   fields_ = FieldStore(effects_.lent().united(effects_.taken()), tile);
   bytes_ += transport_.take_bytes();
-  transport_ = RouteTransport(
-      partner_, make_routes(frame_.grid, tile, swap_boxes(partner_, tile), false), false);
+  transport_.finish_sends();
+  transport_ = partner_->connect(frame_.grid, tile);
 }
 
 // Carry that left with removed particles: what was taken and expected on all ranks less what the
@@ -129,12 +128,16 @@ void CoupledStep::begin(const ParticleView& particles, const DemRegion& region,
   command.step = step;
   command.time = time;
   command.interval = interval_ = interval;
-  send_command(local_, partner_, command);
+  partner_->send_command(command);
   if (fresh) make_tile(tile);
   deposit(particles);
   exchange_solids(fresh);
   charge_gas(particles, records);
   answer_to_come_ = true;
+  {
+    const Stopwatch watch(costs_, cost_wait_);
+    partner_->drag_is_sent();
+  }
   if (!overlapped_) {
     receive_answer();
   } else {
@@ -161,9 +164,16 @@ void CoupledStep::deposit(const ParticleView& particles) {
 
 // Where the tile is new the gas lends what it last had.
 void CoupledStep::exchange_solids(bool fresh) {
+  {
+    const Stopwatch watch(costs_, cost_transport_);
+    transport_.send(fields_.components(effects_.taken().common(taken_early)), solids_tag);
+  }
+  {
+    const Stopwatch watch(costs_, cost_wait_);
+    partner_->solids_are_sent();
+  }
   const Stopwatch watch(costs_, cost_transport_);
   const FieldSet lent = effects_.lent();
-  transport_.send(fields_.components(effects_.taken().common(taken_early)), solids_tag);
   const FieldList back = fields_.components(fresh ? lent : lent.common(lent_early));
   if (!back.empty()) transport_.receive(back, lent_tag);
 }
@@ -189,7 +199,7 @@ void CoupledStep::receive_answer() {
   const Stopwatch watch(costs_, cost_wait_);
   const FieldList late = fields_.components(effects_.lent().without(lent_early));
   if (!late.empty()) transport_.receive(late, lent_tag);
-  report_ = receive_report(local_, partner_);
+  report_ = partner_->receive_report();
   answer_to_come_ = false;
   if (local_.is_root())
     ledger_.add_given(
@@ -260,12 +270,13 @@ void CoupledStep::checkpoint(long step) {
   Command command;
   command.kind = CommandKind::checkpoint;
   command.step = step;
-  send_command(local_, partner_, command);
-  receive_report(local_, partner_);
+  partner_->send_command(command);
+  partner_->receive_report();
 }
 
 void CoupledStep::finish() {
-  send_command(local_, partner_, Command{});
+  transport_.finish_sends();
+  partner_->send_command(Command{});
 }
 
 Ledger CoupledStep::whole_ledger(const ParticleView& particles,

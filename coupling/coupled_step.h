@@ -11,11 +11,13 @@
 // go on with the gas fields of the interval before, and the next begin() takes its answer first.
 // The ledger then books each particle's share where it was when the gas was charged.
 //
-// One CoupledStep a DEM rank; begin() and the constructor are collective over both programs.
+// The gas is another program of the launch, or works inside the DEM ranks: then always in turn.
+//
+// One CoupledStep a DEM rank; begin(), checkpoint(), finish() and the constructor are collective
+// over the ranks of both.
 #pragma once
 
-#include <mpi.h>
-
+#include <memory>
 #include <optional>
 
 #include "coupling/base/cost_ledger.h"
@@ -23,8 +25,7 @@
 #include "coupling/exchange/effects.h"
 #include "coupling/exchange/ledger.h"
 #include "coupling/exchange/particle_exchange.h"
-#include "coupling/transport/protocol.h"
-#include "coupling/transport/route.h"
+#include "coupling/transport/gas_partner.h"
 
 namespace gasgrain {
 
@@ -48,9 +49,9 @@ struct DemRegion {
 
 class CoupledStep {
  public:
-  // Meets the gas program; throws Error with all faults when the two do not fit.
-  CoupledStep(const Communicator& local, MPI_Comm partner, const Effects& effects,
-              const DemScene& scene);
+  // Meets the gas; throws Error with all faults when the two do not fit.
+  CoupledStep(const Communicator& local, std::unique_ptr<GasPartner> partner,
+              const Effects& effects, const DemScene& scene);
 
   // Couples over the coming interval [s] from gas time `time`. `records`: one per particle.
   void begin(const ParticleView& particles, const DemRegion& region, ExchangeRecords& records,
@@ -104,7 +105,7 @@ class CoupledStep {
   [[nodiscard]] Vec3 charged_to_gas() const;
 
   Communicator local_;
-  MPI_Comm partner_;
+  std::unique_ptr<GasPartner> partner_;
   Effects effects_;
   bool overlapped_;
   GasHello gas_;

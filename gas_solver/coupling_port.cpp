@@ -19,8 +19,8 @@ constexpr FieldSet all_fields() {
   return set;
 }
 
-DemHello meet(const GasSolver& solver, const GasInput& input, MPI_Comm partner,
-              const std::string& input_file) {
+GasHello first_words(const GasSolver& solver, const GasInput& input,
+                     const std::string& input_file) {
   GasHello hello;
   put_text(hello.version, GASGRAIN_VERSION);
   put_text(hello.input_file, input_file);
@@ -35,12 +35,11 @@ DemHello meet(const GasSolver& solver, const GasInput& input, MPI_Comm partner,
   hello.viscosity = input.viscosity;
   hello.plane_of_spheres = input.plane_of_spheres > 0 ? 1 : 0;
   hello.whole_pressure_gradient = input.model == GasModel::b ? 1 : 0;
-  hello.time = solver.time();
   hello.lends = hello.takes = all_fields().bits();
   hello.probes =
       static_cast<int>(std::min(input.pressure_probes.size(), hello.probe_heights.size()));
   std::copy_n(input.pressure_probes.begin(), hello.probes, hello.probe_heights.begin());
-  return greet_dem(solver.domain().comm(), partner, hello);
+  return hello;
 }
 
 // The means that go to the particles.
@@ -59,61 +58,51 @@ constexpr std::array<LentVector, 5> lent_vectors{{
 
 }  // namespace
 
-CouplingPort::CouplingPort(GasSolver& solver, const GasInput& input, MPI_Comm partner,
-                           const std::string& input_file, const std::string& out)
+CouplingPort::CouplingPort(GasSolver& solver, const GasInput& input, const std::string& input_file)
     : solver_(solver),
       local_(solver.domain().comm()),
-      partner_(partner),
-      out_(out),
       plane_of_spheres_(input.plane_of_spheres),
+      hello_(first_words(solver, input, input_file)),
       halo_(solver.domain()),
       cost_transport_(solver.costs().task("transport")),
-      cost_wait_(solver.costs().task("waiting for the particles")) {
-  const DemHello dem = meet(solver, input, partner, input_file);
+      cost_wait_(solver.costs().task("waiting for the particles")) {}
+
+GasHello CouplingPort::hello() const {
+  GasHello hello = hello_;
+  hello.time = solver_.time();
+  return hello;
+}
+
+void CouplingPort::meet(const DemHello& dem) {
   lent_ = FieldSet(dem.lent);
   taken_ = FieldSet(dem.taken);
-  solver.ask_for({lent_.has(GasField::vorticity), lent_.has(GasField::acceleration),
-                  lent_.has(GasField::viscous_force)});
+  solver_.ask_for({lent_.has(GasField::vorticity), lent_.has(GasField::acceleration),
+                   lent_.has(GasField::viscous_force)});
   FieldSet used = lent_.united(taken_).add(GasField::void_fraction);
   if (taken_.has(GasField::drag_source)) used.add(GasField::drag_coefficient);
-  fields_ = FieldStore(used, solver.own());
+  fields_ = FieldStore(used, solver_.own());
 }
 
-void CouplingPort::serve(const std::function<void(const GasReport&)>& after_interval) {
-  while (true) {
-    Command command;
-    {
-      const Stopwatch watch(solver_.costs(), cost_wait_);
-      command = receive_command(local_, partner_);
-    }
-    if (command.kind == CommandKind::finish) return;
-    if (command.kind == CommandKind::checkpoint) {
-      solver_.write_checkpoint(fmt::format("{}/checkpoint/gas.{}.h5", out_, command.step));
-      send_report(local_, partner_, Report{});
-      continue;
-    }
-    after_interval(couple(command));
-  }
-}
-
-GasReport CouplingPort::couple(const Command& command) {
+void CouplingPort::begin(const Command& command) {
   constexpr double tolerance = 1e-3;  // of the interval: sums of steps differ by round-off only
   if (std::abs(command.time - solver_.time()) > tolerance * command.interval)
     fail(
         "the DEM program couples at {} s, the gas is at {} s: a coupling was skipped. Do not use "
         "'run ... pre no' with couple/gas.",
         command.time, solver_.time());
-  const bool fresh = command.fresh != 0;
-  if (fresh)
-    transport_ = RouteTransport(
-        partner_,
-        make_routes(solver_.grid(), solver_.own(), swap_boxes(partner_, solver_.own()), true),
-        true);
-  take_solids(fresh);
+  command_ = command;
+}
+
+void CouplingPort::route(const std::vector<IndexBox>& tiles, MPI_Comm channel, Sends sends) {
+  transport_.finish_sends();
+  transport_ =
+      RouteTransport(channel, make_routes(solver_.grid(), solver_.own(), tiles, true), true, sends);
+}
+
+GasReport CouplingPort::advance() {
   if (taken_.has(GasField::drag_source)) take_drag();
-  const GasReport done = solver_.advance(command.interval);
+  GasReport done = solver_.advance(command_.interval);
   send_lent(lent_.without(lent_early));
-  send_report(local_, partner_, report_of(done));
   return done;
 }
 
@@ -125,7 +114,7 @@ void CouplingPort::send_lent(FieldSet fields) {
   if (!list.empty()) transport_.send(list, lent_tag);
 }
 
-void CouplingPort::take_solids(bool fresh) {
+void CouplingPort::take_solids() {
   const FieldList taken = fields_.components(taken_.common(taken_early));
   for (Array3<double>* field : taken) field->fill(0.0);
   {
@@ -157,7 +146,7 @@ void CouplingPort::take_solids(bool fresh) {
   for_each_cell(solver_.own(),
                 [&](int i, int j, int k) { void_fraction(i, j, k) = 1.0 - solids(i, j, k); });
   solver_.set_void_fraction(void_fraction);
-  send_lent(fresh ? lent_ : lent_.common(lent_early));
+  send_lent(command_.fresh != 0 ? lent_ : lent_.common(lent_early));
 }
 
 void CouplingPort::take_drag() {

@@ -1,11 +1,11 @@
-// The gas program's side of a coupled run: takes what the DEM ranks deposit, advances the gas,
-// lends its fields. The one place where the gas solver sees the coupling.
+// The gas's side of a coupled step: takes what the DEM ranks deposit, advances the gas, lends its
+// fields. The stages of an interval, in this order:
+//   begin, route (when the DEM ranks' tiles are new), take_solids, advance
+// Where the DEM ranks are, in another program or on these same ranks, only the transport knows.
 #pragma once
 
-#include <mpi.h>
-
-#include <functional>
 #include <string>
+#include <vector>
 
 #include "coupling/exchange/field_store.h"
 #include "coupling/transport/protocol.h"
@@ -16,30 +16,40 @@ namespace gasgrain {
 
 class CouplingPort {
  public:
-  // Meets the DEM program. `input_file`: of the solver, for messages; `out`: folder of the results.
-  CouplingPort(GasSolver& solver, const GasInput& input, MPI_Comm partner,
-               const std::string& input_file, const std::string& out);
+  // `input_file`: of the solver, for messages.
+  CouplingPort(GasSolver& solver, const GasInput& input, const std::string& input_file);
 
-  // Serves the DEM program until it finishes; `after_interval` is called when an interval is done
-  // and the particles have their fields. Collective over both programs.
-  void serve(const std::function<void(const GasReport&)>& after_interval);
+  [[nodiscard]] GasHello hello() const;
+  // The fields that the DEM side asks for, and no others, are computed and lent from here on.
+  void meet(const DemHello& dem);
+
+  // Throws Error when the interval does not begin where the gas is.
+  void begin(const Command& command);
+  // The way of the fields between this rank's cells and the tiles of the DEM ranks.
+  void route(const std::vector<IndexBox>& tiles, MPI_Comm channel, Sends sends);
+  void take_solids();
+  // Takes the drag, advances over the interval, lends the means.
+  GasReport advance();
+  [[nodiscard]] Report report_of(const GasReport& done) const;
+  // Waits until the DEM ranks have what was lent.
+  void finish_sends() { transport_.finish_sends(); }
+
+  // Task of the cost ledger for time that is the DEM side's.
+  [[nodiscard]] std::size_t cost_wait() const { return cost_wait_; }
 
  private:
-  GasReport couple(const Command& command);
-  void take_solids(bool fresh);
   void take_drag();
   void send_lent(FieldSet fields);
-  [[nodiscard]] Report report_of(const GasReport& done) const;
 
   GasSolver& solver_;
   Communicator local_;
-  MPI_Comm partner_;
-  std::string out_;
   double plane_of_spheres_;  // [m], 0: not one
+  GasHello hello_;           // but for the time
   FieldSet lent_;
   FieldSet taken_;
   Halo halo_;
   RouteTransport transport_;
+  Command command_;  // of the interval at work
   long moved_cells_ = 0;
 
   FieldStore fields_;  // lent and taken, over own()

@@ -8,16 +8,15 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <thread>
 
 #include "coupling/base/decomposition.h"
 #include "coupling/base/error.h"
+#include "coupling/base/file_locks.h"
 #include "coupling/transport/launch.h"
-#include "gas_solver/coupling_port.h"
+#include "gas_solver/coupled_gas_port.h"
 #include "gas_solver/gas_step.h"
-#include "gas_solver/io/disk.h"
-#include "gas_solver/io/file_locks.h"
+#include "gas_solver/io/cost_file.h"
 #include "gas_solver/io/history.h"
 #include "gas_solver/io/progress.h"
 #include "gas_solver/io/run_warnings.h"
@@ -28,25 +27,13 @@ namespace gasgrain {
 namespace {
 
 struct Options {
-  std::string input;
-  std::string out = "results";
-  std::string restart;  // empty: a new run
-  int ranks = 0;        // for --check; 0: as many as run
+  GasFiles files;
+  int ranks = 0;  // for --check; 0: as many as run
   bool check = false;
 };
 
 // The intervals of a run without particles, when [output] every names none.
 constexpr double default_interval_steps = 10;
-
-// Seconds by task. Collective.
-void write_ledger(GasSolver& gas, const std::string& folder, const Communicator& comm) {
-  const std::string ledger = gas.costs().json(comm);
-  if (!comm.is_root()) return;
-  const std::string name = folder + "/ledger.gas.json";
-  std::ofstream out(name);
-  if (!(out << ledger << std::endl))
-    fail("{}: cannot be written: {}.", name, why_not_written(name));
-}
 
 // Multiples of [output] checkpoint_every that have been reached.
 long checkpoints_due(const GasSolver& gas, const GasInput& input) {
@@ -59,16 +46,16 @@ long checkpoints_due(const GasSolver& gas, const GasInput& input) {
 int run_alone(const Options& options, const GasInput& input, const Communicator& comm) {
   catch_stop_wishes(comm.is_root());
   GasSolver gas(input, comm);
-  if (comm.is_root()) std::filesystem::create_directories(options.out);
+  if (comm.is_root()) std::filesystem::create_directories(options.files.out);
   MPI_Barrier(comm.handle());
-  const bool restarted = !options.restart.empty();
-  if (restarted) gas.read_checkpoint(options.restart);
+  const bool restarted = !options.files.restart.empty();
+  if (restarted) gas.read_checkpoint(options.files.restart);
   const double begin = restarted ? gas.time() : -1;
   std::unique_ptr<Snapshots> snapshots;
   if (input.output_every > 0)
-    snapshots = std::make_unique<Snapshots>(options.out, gas.domain(), begin);
+    snapshots = std::make_unique<Snapshots>(options.files.out, gas.domain(), begin);
   std::unique_ptr<History> history;
-  if (comm.is_root()) history = std::make_unique<History>(options.out, input, begin);
+  if (comm.is_root()) history = std::make_unique<History>(options.files.out, input, begin);
   if (snapshots && !snapshots->end_at(gas.time())) snapshots->write(gas);
 
   RunProgress progress(gas.time(), input.end, output_on_terminal());
@@ -81,7 +68,7 @@ int run_alone(const Options& options, const GasInput& input, const Communicator&
   if (comm.is_root() && !goes_on())
     progress.tell(fmt::format("nothing to do: the gas is at {} s, [time] end is {} s", gas.time(),
                               input.end));
-  const std::string checkpoint = options.out + "/gas.checkpoint.h5";
+  const std::string checkpoint = options.files.out + "/gas.checkpoint.h5";
   long written = checkpoints_due(gas, input);
   int wish = 0;
   while (goes_on() && wish == 0) {
@@ -105,7 +92,7 @@ int run_alone(const Options& options, const GasInput& input, const Communicator&
   progress.finish();
   if (comm.is_root() && !warnings.text().empty()) progress.tell(warnings.text());
   gas.write_checkpoint(checkpoint);
-  write_ledger(gas, options.out, comm);
+  write_costs(gas.costs(), options.files.out, comm);
   if (wish == 0 || !goes_on()) return 0;
   if (comm.is_root())
     progress.tell(fmt::format("stopped at t = {:.6g} of {} s: go on with --restart {}", gas.time(),
@@ -113,44 +100,11 @@ int run_alone(const Options& options, const GasInput& input, const Communicator&
   return status_after(wish);
 }
 
-// Serves the DEM program of the launch; its intervals pace the output.
-void run_coupled(const Options& options, const GasInput& input, const Launch& launch) {
-  const Communicator& comm = launch.local();
-  GasSolver gas(input, comm);
-  if (comm.is_root()) std::filesystem::create_directories(options.out + "/checkpoint");
-  MPI_Barrier(comm.handle());
-  const bool restarted = !options.restart.empty();
-  if (restarted) gas.read_checkpoint(options.restart);
-  CouplingPort port(gas, input, launch.partner(), options.input, options.out);
-  std::unique_ptr<Snapshots> snapshots;
-  if (input.output_every > 0)
-    snapshots = std::make_unique<Snapshots>(options.out, gas.domain(), restarted ? gas.time() : -1);
-  const std::size_t cost_output = gas.costs().task("output");
-  // The end of an interval is a snapshot's time when the next multiple of `every` has been reached.
-  const auto due = [&] {
-    constexpr double round_off = 1e-6;
-    return static_cast<long>(std::floor(gas.time() / input.output_every + round_off));
-  };
-  long written = snapshots ? due() : 0;
-  SubstepNote note(input, gas.time());
-  port.serve([&](const GasReport& report) {
-    if (const std::string text = note.after(report); !text.empty() && comm.is_root()) {
-      fmt::print("{}\n", text);
-      std::fflush(stdout);
-    }
-    if (!snapshots || due() <= written) return;
-    const Stopwatch watch(gas.costs(), cost_output);
-    snapshots->write(gas);
-    written = due();
-  });
-  write_ledger(gas, options.out, comm);
-}
-
 // The exit status.
 int run(const Options& options, const Launch& launch) {
   const Communicator& comm = launch.local();
   const bool alone = !options.check && !launch.has_partner();
-  const GasInput input = read_gas_input(options.input, alone);
+  const GasInput input = read_gas_input(options.files.input, alone);
   rank_layout(input.grid, options.ranks > 0 ? options.ranks : comm.size());
   if (options.check) {
     if (launch.has_partner())
@@ -159,7 +113,7 @@ int run(const Options& options, const Launch& launch) {
   } else if (alone) {
     return run_alone(options, input, comm);
   } else {
-    run_coupled(options, input, launch);
+    CoupledGas(input, options.files, comm).serve(launch.partner());
   }
   return 0;
 }
@@ -177,9 +131,9 @@ int run(const Options& options, const Launch& launch) {
 int parse(int argc, char** argv, Options& options) {
   CLI::App app("Gas solver of gasgrain: flow through beds of grains on a uniform grid");
   app.set_version_flag("--version", GASGRAIN_VERSION);
-  app.add_option("input", options.input, "gas.toml")->required();
-  app.add_option("--out", options.out, "folder for results")->capture_default_str();
-  app.add_option("--restart", options.restart, "checkpoint to go on from");
+  app.add_option("input", options.files.input, "gas.toml")->required();
+  app.add_option("--out", options.files.out, "folder for results")->capture_default_str();
+  app.add_option("--restart", options.files.restart, "checkpoint to go on from");
   app.add_flag_callback(
       "--keys",
       [] {
@@ -225,9 +179,7 @@ int main(int argc, char** argv) {
       status = gasgrain::run(options, launch);
     }
   } catch (const std::bad_alloc&) {
-    gasgrain::stop(local,
-                   "out of memory: a cell takes 550 to 1100 bytes (docs/gas-speed.md). Take fewer "
-                   "[grid] cells, or more ranks on more machines.");
+    gasgrain::stop(local, gasgrain::out_of_memory);
   } catch (const std::exception& e) {
     gasgrain::stop(local, e.what());
   }

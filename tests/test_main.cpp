@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <mpi.h>
 
-#include "gas_solver/io/file_locks.h"
+#include "coupling/base/file_locks.h"
 
 int main(int argc, char** argv) {
   gasgrain::open_files_without_semaphores();

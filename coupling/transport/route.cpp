@@ -68,39 +68,47 @@ std::vector<Route> make_routes(const BoxGrid& grid, const IndexBox& mine,
   return routes;
 }
 
-RouteTransport::RouteTransport(MPI_Comm partner, std::vector<Route> routes, bool i_am_gas)
+RouteTransport::RouteTransport(MPI_Comm partner, std::vector<Route> routes, bool i_am_gas,
+                               Sends sends)
     : partner_(partner),
       routes_(std::move(routes)),
       i_am_gas_(i_am_gas),
-      buffers_(routes_.size()) {}
+      sends_(sends),
+      outgoing_(routes_.size()),
+      incoming_(routes_.size()),
+      under_way_(routes_.size(), MPI_REQUEST_NULL) {}
 
 void RouteTransport::send(const FieldList& fields, int tag) {
-  std::vector<MPI_Request> requests(routes_.size(), MPI_REQUEST_NULL);
+  finish_sends();
   for (std::size_t r = 0; r < routes_.size(); ++r) {
-    auto& buffer = buffers_[r];
+    auto& buffer = outgoing_[r];
     buffer.clear();
     buffer.reserve(routes_[r].cells() * fields.size());
     for (const auto* field : fields)
       walk(routes_[r], i_am_gas_,
            [&](int i, int j, int k) { buffer.push_back((*field)(i, j, k)); });
     MPI_Isend(buffer.data(), static_cast<int>(buffer.size()), MPI_DOUBLE, routes_[r].partner, tag,
-              partner_, &requests[r]);
+              partner_, &under_way_[r]);
     bytes_ += static_cast<long>(buffer.size() * sizeof(double));
   }
-  wait_sleeping(requests);
+  if (sends_ == Sends::finished) finish_sends();
+}
+
+void RouteTransport::finish_sends() {
+  wait_sleeping(under_way_);
 }
 
 void RouteTransport::receive(const FieldList& fields, int tag) {
   std::vector<MPI_Request> requests(routes_.size(), MPI_REQUEST_NULL);
   for (std::size_t r = 0; r < routes_.size(); ++r) {
-    buffers_[r].resize(routes_[r].cells() * fields.size());
-    MPI_Irecv(buffers_[r].data(), static_cast<int>(buffers_[r].size()), MPI_DOUBLE,
+    incoming_[r].resize(routes_[r].cells() * fields.size());
+    MPI_Irecv(incoming_[r].data(), static_cast<int>(incoming_[r].size()), MPI_DOUBLE,
               routes_[r].partner, tag, partner_, &requests[r]);
   }
   wait_sleeping(requests);
   for (std::size_t r = 0; r < routes_.size(); ++r) {
-    bytes_ += static_cast<long>(buffers_[r].size() * sizeof(double));
-    const double* value = buffers_[r].data();
+    bytes_ += static_cast<long>(incoming_[r].size() * sizeof(double));
+    const double* value = incoming_[r].data();
     for (auto* field : fields)
       walk(routes_[r], i_am_gas_, [&](int i, int j, int k) {
         if (i_am_gas_)

@@ -37,14 +37,23 @@ std::vector<Route> make_routes(const BoxGrid& grid, const IndexBox& mine,
 // The fields that move together; all over the rank's own box (tile or gas box).
 using FieldList = std::vector<Array3<double>*>;
 
+// How send() returns. A partner program takes a message while the sender waits. A partner inside
+// the same process cannot: there the message is on its way until a later call.
+enum class Sends { finished, started };
+
 // Moves lists of fields along the routes of a rank, one message a partner.
 class RouteTransport {
  public:
   RouteTransport() = default;
-  RouteTransport(MPI_Comm partner, std::vector<Route> routes, bool i_am_gas);
+  // `partner`: an intercommunicator to the partner program, or a communicator of ranks that hold a
+  // tile and a gas box each; tags then tell the two directions apart.
+  RouteTransport(MPI_Comm partner, std::vector<Route> routes, bool i_am_gas,
+                 Sends sends = Sends::finished);
 
-  // Sends the common cells of `fields` to every partner. Returns when the buffers may be reused.
+  // Sends the common cells of `fields` to every partner.
   void send(const FieldList& fields, int tag);
+  // Waits, asleep, until the partners have what was sent. Before the object is replaced.
+  void finish_sends();
   // Receives from every partner, asleep while waiting. A gas rank ADDS what comes, in the order of
   // the partners' ranks (so that the same launch gives the same sums); a DEM rank overwrites.
   void receive(const FieldList& fields, int tag);
@@ -57,7 +66,10 @@ class RouteTransport {
   MPI_Comm partner_ = MPI_COMM_NULL;
   std::vector<Route> routes_;
   bool i_am_gas_ = false;
-  std::vector<std::vector<double>> buffers_;
+  Sends sends_ = Sends::finished;
+  std::vector<std::vector<double>> outgoing_;
+  std::vector<std::vector<double>> incoming_;
+  std::vector<MPI_Request> under_way_;
   long bytes_ = 0;
 };
 

@@ -10,6 +10,7 @@
 
 #include "coupling/base/error.h"
 #include "coupling/exchange/bed_measures.h"
+#include "coupling/transport/inner_gas.h"
 #include "fix_cfd_coupling/liggghts/host_error.h"
 #include "fix_cfd_coupling/liggghts/host_session.h"
 // --
@@ -34,8 +35,8 @@ using gasgrain::Vec3;
 namespace {
 
 constexpr const char* usage =
-    "fix ID all couple/gas every N [start STEP] [output DIR] [mode in_turn|overlapped] EFFECTS..., "
-    "for instance\n"
+    "fix ID all couple/gas every N [start STEP] [output DIR] [mode in_turn|overlapped] "
+    "[gas FILE [gas_restart FILE]] EFFECTS..., for instance\n"
     "  fix gas all couple/gas every 100 drag koch_hill pressure_gradient";
 
 // Share of the solid volume that lies under the bed height: single grains thrown above the bed are
@@ -125,10 +126,24 @@ void FixCoupleGas::read_arguments(int narg, char** arg) {
       output_ = arg[a + 1];
     else if (std::strcmp(arg[a], "mode") == 0)
       overlapped_ = mode_is_overlapped(arg[a + 1]);
+    else if (std::strcmp(arg[a], "gas") == 0)
+      gas_input_ = arg[a + 1];
+    else if (std::strcmp(arg[a], "gas_restart") == 0)
+      gas_restart_ = arg[a + 1];
     else
       break;
   }
   if (every_ == 0) gasgrain::fail("couple/gas needs 'every N' before the effects.\n{}", usage);
+  if (!gas_restart_.empty() && gas_input_.empty())
+    gasgrain::fail(
+        "'gas_restart {}' is for a gas inside this program and needs 'gas FILE' beside it; a "
+        "gasgrain-gas of the launch takes the option --restart.",
+        gas_restart_);
+  if (overlapped_ && !gas_input_.empty())
+    gasgrain::fail(
+        "'gas {}' and 'mode overlapped' exclude each other: a gas inside this program works while "
+        "the grains wait. Leave out one of the two.",
+        gas_input_);
   effects_ = gasgrain::parse_effects({arg + a, arg + narg}, "couple/gas");
   records_ = gasgrain::ExchangeRecords(effects_.layout(overlapped_));
   if (!gasgrain::session().local.is_root()) return;
@@ -145,12 +160,28 @@ void FixCoupleGas::post_create() {
   }
 }
 
+std::unique_ptr<gasgrain::GasPartner> FixCoupleGas::gas_partner() const {
+  const auto& session = gasgrain::session();
+  if (!gas_input_.empty())
+    return gasgrain::make_inner_gas({gas_input_, output_, gas_restart_}, session.local);
+  return gasgrain::make_remote_gas(session.local, session.partner);
+}
+
 void FixCoupleGas::meet_partner() {
   auto& session = gasgrain::session();
-  if (session.partner == MPI_COMM_NULL)
+  const bool launched_with_gas = session.partner != MPI_COMM_NULL;
+  if (launched_with_gas && !gas_input_.empty())
+    gasgrain::fail(
+        "there are two gas solvers: 'gas {}' puts one inside this program, and the launch has a "
+        "gasgrain-gas. Leave out one of the two.",
+        gas_input_);
+  if (!launched_with_gas && gas_input_.empty())
     gasgrain::fail(
         "couple/gas has no partner in this launch. Use 'gasgrain run SCENE', or\n"
-        "  mpirun -np 2 gasgrain-liggghts -in in.liggghts : -np 1 gasgrain-gas gas.toml");
+        "  mpirun -np 2 gasgrain-liggghts -in in.liggghts : -np 1 gasgrain-gas gas.toml\n"
+        "or, for the gas inside this program, name its input on the line:\n"
+        "  couple/gas every {} gas gas.toml ...",
+        every_);
   if (session.greeted)
     gasgrain::fail("a script couples once: there is a second couple/gas line, or a 'clear'.");
   if (domain->box_exist == 0)
@@ -167,8 +198,7 @@ void FixCoupleGas::meet_partner() {
   scene.overlapped = overlapped_;
   scene.time =
       last_coupled_ < 0 ? 0.0 : static_cast<double>(last_coupled_ + every_ - start_) * update->dt;
-  coupled_ =
-      std::make_unique<gasgrain::CoupledStep>(session.local, session.partner, effects_, scene);
+  coupled_ = std::make_unique<gasgrain::CoupledStep>(session.local, gas_partner(), effects_, scene);
 
   const auto& gas = coupled_->gas();
   std::vector<std::string> columns(history_columns.begin(), history_columns.end());
@@ -186,10 +216,9 @@ FixCoupleGas::~FixCoupleGas() {
   auto& costs = coupled_->costs();
   costs.charge(costs.task("walls, integration, other"), costs.unnamed());
   const std::string ledger = costs.json(gasgrain::session().local);
-  if (gasgrain::session().local.is_root()) {
+  if (gasgrain::session().local.is_root())
     std::ofstream(output_ + "/ledger.dem.json") << ledger << '\n';
-    coupled_->finish();
-  }
+  guarded([&] { coupled_->finish(); });
 }
 
 int FixCoupleGas::setmask() {

@@ -1,13 +1,18 @@
-// fix ID all couple/gas every N [start STEP] [output DIR] [mode MODE] EFFECTS...
+// fix ID all couple/gas every N [start STEP] [output DIR] [mode MODE] [gas FILE [gas_restart FILE]]
+//                       EFFECTS...
 //
-// Couples the bed with the gas solver of the same launch. LIGGGHTS's dialect only: the physics is
-// in coupling/exchange, the story of a step in coupling/coupled_step. The words after the keywords
-// are the scene's effects (coupling/exchange/effects.h).
+// Couples the bed with the gas solver of the same launch, or with one inside this program.
+// LIGGGHTS's dialect only: the physics is in coupling/exchange, the story of a step in
+// coupling/coupled_step. The words after the keywords are the scene's effects
+// (coupling/exchange/effects.h).
 //   every N     DEM steps between two couplings
 //   start STEP  the gas starts at this step; before it the bed is packed without gas (default: at
 //   once)
 //   output DIR  folder of history.csv, run.json, checkpoints (default: results)
 //   mode MODE   in_turn (default) or overlapped: the gas advances while the grains move on
+//   gas FILE    the gas solver runs inside the DEM ranks with this gas.toml (default: in its own
+//               program, gasgrain-gas, of the same launch)
+//   gas_restart FILE   its checkpoint to go on from
 // f_ID[1..4]: bed height [m], bubble diameter [m], ledger residual, Courant number of the gas.
 #pragma once
 
@@ -67,6 +72,7 @@ class FixCoupleGas : public Fix {
   };
 
   void read_arguments(int narg, char** arg);
+  [[nodiscard]] std::unique_ptr<gasgrain::GasPartner> gas_partner() const;
   void meet_partner();
   [[nodiscard]] gasgrain::ParticleView particles() const;
   [[nodiscard]] bool due(bigint step) const;
@@ -84,6 +90,8 @@ class FixCoupleGas : public Fix {
   bigint start_ = 0;
   std::string output_ = "results";
   bool overlapped_ = false;
+  std::string gas_input_;    // of a gas inside; empty: the gas is a program of the launch
+  std::string gas_restart_;  // its checkpoint; empty: a new run
   gasgrain::Effects effects_;
 
   // Of the run
@@ -99,13 +107,14 @@ class FixCoupleGas : public Fix {
   std::array<double, 4> shown_{};        // f_ID[1..4]
 };
 
-// Errors that a rank meets during the run end the launch with one message.
+// Errors that ranks meet during the run end the launch with one message.
 template <class Action>
 void FixCoupleGas::guarded(Action&& action) {
   try {
     action();
   } catch (const gasgrain::Error& e) {
-    gasgrain::stop_everything_from_here(e.what());
+    // Alone, or (an error of a gas inside) with all the others.
+    gasgrain::stop_everything(e.what());
   }
 }
 

@@ -70,8 +70,8 @@ void FixCoupleGas::write_restart(FILE* file) {
   // A gas that is still at work must have answered before it is asked for a checkpoint.
   guarded([&] { coupled_->complete(particles(), records_); });
   const auto ledger = coupled_->whole_ledger(particles(), records_).values();
-  if (comm->me != 0) return;
   guarded([&] { coupled_->checkpoint(step_now()); });
+  if (comm->me != 0) return;
   StoredState state{stored_format,
                     start_,
                     last_coupled_,

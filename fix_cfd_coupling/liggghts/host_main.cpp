@@ -1,5 +1,6 @@
 // gasgrain-liggghts: Debian's LIGGGHTS library with our styles registered. Takes the options of
-// `liggghts`; alone it runs any input script, beside gasgrain-gas in one launch it couples.
+// `liggghts`; alone it runs any input script; beside gasgrain-gas in one launch, or with a gas
+// inside, it couples.
 #include <mpi.h>
 
 #include <csignal>
@@ -8,6 +9,7 @@
 #include <string>
 
 #include "coupling/base/error.h"
+#include "coupling/base/file_locks.h"
 #include "coupling/transport/launch.h"
 #include "fix_cfd_coupling/liggghts/host_error.h"
 #include "fix_cfd_coupling/liggghts/host_session.h"
@@ -56,6 +58,7 @@ void run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  gasgrain::open_files_without_semaphores();  // of a gas inside
   MPI_Init(&argc, &argv);
   try {
     run(argc, argv);

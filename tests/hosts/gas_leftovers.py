@@ -8,7 +8,7 @@ from pathlib import Path
 from gas_alone import Run
 
 # Open MPI's semaphore of a file of this name, taken by a program that is no more (see
-# gas_solver/io/file_locks.h). One of an earlier kill may be there already.
+# coupling/base/file_locks.h). One of an earlier kill may be there already.
 SEMAPHORE = Path("/dev/shm/sem.OMPIO_gas.h5")
 
 

@@ -86,5 +86,47 @@ TEST_F(Fields, only_the_fields_named_are_on_the_wire) {
   }
 }
 
+// Every rank holds a tile and a gas box, as with a gas inside the DEM ranks, and is the receiver of
+// its own messages; they are too long to be buffered by MPI.
+TEST(FieldsInside, started_sends_reach_ranks_that_send_first_and_receive_then) {
+  const Communicator world(MPI_COMM_WORLD);
+  BoxGrid grid;
+  grid.cells = {64, 64, 64};
+  grid.periodic = {true, false, false};
+  const std::vector<IndexBox> boxes = decompose(grid, world.size());
+  const auto tile_of = [](int rank) {
+    return IndexBox{{16 * rank - 1, 0, 0}, {16 * rank + 17, 64, 64}};
+  };
+  std::vector<IndexBox> tiles;
+  for (int r = 0; r < world.size(); ++r) tiles.push_back(tile_of(r));
+  const IndexBox tile = tiles[world.rank()];
+  const IndexBox box = boxes[world.rank()];
+  RouteTransport dem(world.handle(), make_routes(grid, tile, boxes, false), false, Sends::started);
+  RouteTransport gas(world.handle(), make_routes(grid, box, tiles, true), true, Sends::started);
+  const auto value = [](int i, int j, int k) { return ((i + 64) % 64) + 0.5 * j + 100.0 * k; };
+  for (int again = 0; again < 3; ++again) {
+    Array3<double> solids(tile, 1.0);
+    Array3<double> taken(box, 0.0);
+    dem.send({&solids}, solids_tag);
+    gas.receive({&taken}, solids_tag);
+    double mine = 0.0;
+    for (const double each : taken) mine += each;
+    EXPECT_DOUBLE_EQ(world.sum(mine), 4.0 * 18 * 64 * 64);
+
+    Array3<double> lent(box);
+    Array3<double> sampled(tile, -1.0);
+    for_each_cell(box, [&](int i, int j, int k) { lent(i, j, k) = value(i, j, k); });
+    gas.send({&lent}, lent_tag);
+    dem.send({&solids}, drag_tag);
+    dem.receive({&sampled}, lent_tag);
+    gas.receive({&taken}, drag_tag);
+    for_each_cell(tile, [&](int i, int j, int k) {
+      ASSERT_EQ(sampled(i, j, k), value(i, j, k)) << i << ' ' << j << ' ' << k;
+    });
+  }
+  dem.finish_sends();
+  gas.finish_sends();
+}
+
 }  // namespace
 }  // namespace gasgrain
