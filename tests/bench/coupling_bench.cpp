@@ -245,7 +245,7 @@ std::vector<Row> run_dem(const Communicator& local, MPI_Comm partner, const Case
   DemScene scene;
   scene.box_hi = grid.hi;
   scene.interval = interval;
-  CoupledStep coupled(local, partner, effects, scene);
+  CoupledStep coupled(local, make_remote_gas(local, partner), effects, scene);
   ExchangeRecords records(effects.layout(false));
   records.resize(view.count);
 
