@@ -126,7 +126,6 @@ void HyprePfmg::precondition(const Array3<double>& residual, Array3<double>& cor
   // hypre takes what it reads as not const.
   HYPRE_StructVectorSetBoxValues(source_, lo.data(), hi.data(),
                                  const_cast<double*>(residual.data()));
-  HYPRE_StructVectorSetConstantValues(solution_, 0.0);
   HYPRE_StructPFMGSolve(multigrid_, matrix_, source_, solution_);
   HYPRE_StructVectorGetBoxValues(solution_, lo.data(), hi.data(), correction.data());
 }
