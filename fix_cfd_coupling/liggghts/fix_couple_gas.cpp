@@ -186,6 +186,11 @@ void FixCoupleGas::meet_partner() {
     gasgrain::fail("a script couples once: there is a second couple/gas line, or a 'clear'.");
   if (domain->box_exist == 0)
     gasgrain::fail("couple/gas must stand after create_box or read_restart.");
+  if (std::strcmp(update->unit_style, "si") != 0)
+    gasgrain::fail(
+        "the script has 'units {}', the gas knows metres, kilograms and seconds only: write "
+        "'units si', and the script's numbers in them.",
+        update->unit_style);
   if (domain->nonperiodic == 2)
     gasgrain::fail(
         "the box may not follow the particles: use 'boundary f f f' (or p), not s or m.");

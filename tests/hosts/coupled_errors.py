@@ -55,6 +55,12 @@ class Errors(unittest.TestCase):
     def test_a_dem_box_that_differs_from_the_gas_box(self):
         self.expect(["the DEM box spans z = 0 to 0.1 m", "0 to 0.11 m", "make both the same"], top="0.1")
 
+    def test_units_that_are_not_si(self):
+        def edit(scene):
+            script = scene.folder / "in.liggghts"
+            script.write_text(script.read_text().replace("units si", "units cgs"))
+        self.expect(["in.liggghts:", "'units cgs'", "write 'units si'"], edit=edit)
+
     def test_a_box_that_is_periodic_on_one_side_only(self):
         self.expect(["y is periodic in the script", "not periodic in gas.toml"],
                     boundary="f p f",
