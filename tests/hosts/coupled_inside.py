@@ -2,13 +2,12 @@
 """The gas inside the DEM ranks: the same run as with the gas program beside them."""
 
 import json
-import re
 import signal
 import subprocess
 import time
 import unittest
 
-from coupled_launch import BIN, COUPLE, Scene
+from coupled_launch import BIN, COUPLE, Scene, differing_steps
 
 INSIDE = COUPLE.replace("void_fraction", "gas gas.toml void_fraction")
 # 0.1 s: the bed has been blown up and falls back.
@@ -94,24 +93,16 @@ class Inside(unittest.TestCase):
                 self.assertEqual(status, 0, text)
                 rows = scene.history()
                 self.assertEqual(rows[: len(whole)], whole)  # appended, not overwritten
-                again = {row["step"]: row for row in rows[len(whole):]}
-                self.assertEqual(max(again), 1000)
-                for row in whole:
-                    if row["step"] <= 500:
-                        continue
-                    # The first step of a resumed run differs: see coupled_restart.py.
-                    for name in ("bed_height_m", "kinetic_energy_J", "p_0.01m_Pa"):
-                        self.assertAlmostEqual(row[name], again[row["step"]][name],
-                                               delta=1e-4 * abs(row[name]) + 1e-12, msg=name)
-                    self.assertLess(again[row["step"]]["ledger_residual"], 1e-10)
+                again = rows[len(whole):]
+                self.assertEqual(again[-1]["step"], 1000)
+                self.assertEqual(differing_steps(whole, again, after=500), [])
+                for row in again:
+                    self.assertLess(row["ledger_residual"], 1e-10)
 
     def resume(self, scene, gas_restart):
-        text = (scene.folder / "in.liggghts").read_text()
-        text = re.sub(r"region box.*?set group all[^\n]*\n",
-                      f"read_restart {scene.out}/checkpoint/dem.500.restart\n", text, flags=re.S)
-        text = re.sub(r"run \d+", "run 1000 upto", text)
-        text = text.replace("gas gas.toml", f"gas gas.toml {gas_restart}")
-        (scene.folder / "in.liggghts").write_text(text)
+        scene.resume(500, 1000)
+        script = scene.folder / "in.liggghts"
+        script.write_text(script.read_text().replace("gas gas.toml", f"gas gas.toml {gas_restart}"))
 
     def test_the_wish_to_stop_leaves_a_pair_of_checkpoints(self):
         with Scene(couple=INSIDE, steps=10000000) as scene:

@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 """Ways of coupling: overlapped, the ways of sharing momentum, what goes over the wire."""
 
-import re
 import unittest
 
 from coupled_launch import COUPLE, Scene
@@ -78,11 +77,7 @@ class Modes(unittest.TestCase):
             status, text, _ = scene.run()
             self.assertEqual(status, 0, text)
             whole = scene.history()
-            script = (scene.folder / "in.liggghts").read_text()
-            script = re.sub(r"region box.*?set group all[^\n]*\n",
-                            f"read_restart {scene.out}/checkpoint/dem.510.restart\n", script,
-                            flags=re.S)
-            (scene.folder / "in.liggghts").write_text(re.sub(r"run \d+", "run 1000 upto", script))
+            scene.resume(510, 1000)
             status, text, _ = scene.run(
                 gas_options=("--restart", str(scene.out / "checkpoint/gas.510.h5")))
             self.assertEqual(status, 0, text)

@@ -6,45 +6,31 @@ import signal
 import time
 import unittest
 
-from coupled_launch import Scene
+from coupled_launch import Scene, differing_steps
 
 
 class Restart(unittest.TestCase):
-    def resumed_script(self, scene, step, last):
-        text = (scene.folder / "in.liggghts").read_text()
-        text = re.sub(r"region box.*?set group all[^\n]*\n",
-                      f"read_restart {scene.out}/checkpoint/dem.{step}.restart\n", text, flags=re.S)
-        text = re.sub(r"run \d+", f"run {last} upto", text)
-        (scene.folder / "in.liggghts").write_text(text)
-
     def test_a_checkpoint_goes_on_as_if_nothing_had_happened(self):
         with Scene(steps=1000, extra="restart 500 @out@/checkpoint/dem.*.restart") as scene:
             status, text, _ = scene.run()
             self.assertEqual(status, 0, text)
             whole = scene.history()
-            self.resumed_script(scene, 500, 1000)
+            scene.resume(500, 1000)
             status, text, _ = scene.run(
                 gas_options=("--restart", str(scene.out / "checkpoint/gas.500.h5")))
             self.assertEqual(status, 0, text)
             rows = scene.history()
         self.assertEqual(rows[: len(whole)], whole)  # appended, not overwritten
-        again = {row["step"]: row for row in rows[len(whole):]}
-        self.assertEqual(max(again), 1000)
-        for row in whole:
-            if row["step"] <= 500:
-                continue
-            # The host computes the first forces after a restart with the velocities of the whole
-            # step, within a run with those of the half step before: contact damping and drag differ
-            # in that one step by a velocity change of g dt, 1e-5 of the energy here.
-            for name in ("bed_height_m", "kinetic_energy_J", "p_0.01m_Pa"):
-                self.assertAlmostEqual(row[name], again[row["step"]][name],
-                                       delta=1e-4 * abs(row[name]) + 1e-12, msg=name)
-            self.assertLess(again[row["step"]]["ledger_residual"], 1e-8)
+        again = rows[len(whole):]
+        self.assertEqual(again[-1]["step"], 1000)
+        self.assertEqual(differing_steps(whole, again, after=500), [])
+        for row in again:
+            self.assertLess(row["ledger_residual"], 1e-8)
 
     def test_states_of_two_steps_are_refused(self):
         with Scene(steps=1000, extra="restart 500 @out@/checkpoint/dem.*.restart") as scene:
             self.assertEqual(scene.run()[0], 0)
-            self.resumed_script(scene, 1000, 1500)
+            scene.resume(1000, 1500)
             status, text, seconds = scene.run(
                 gas_options=("--restart", str(scene.out / "checkpoint/gas.500.h5")))
         self.assertNotEqual(status, 0)
