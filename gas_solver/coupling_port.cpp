@@ -65,7 +65,8 @@ CouplingPort::CouplingPort(GasSolver& solver, const GasInput& input, const std::
       hello_(first_words(solver, input, input_file)),
       halo_(solver.domain()),
       cost_transport_(solver.costs().task("transport")),
-      cost_wait_(solver.costs().task("waiting for the particles")) {}
+      cost_wait_(solver.costs().task("waiting for the particles")),
+      cost_solids_(solver.costs().task("solids above the limit")) {}
 
 GasHello CouplingPort::hello() const {
   GasHello hello = hello_;
@@ -141,7 +142,10 @@ void CouplingPort::take_solids() {
     const double fraction = solid_volume(i, j, k) / cell;
     solids(i, j, k) = plane_of_spheres_ > 0 ? solids_in_space(fraction) : fraction;
   });
-  moved_cells_ = local_.sum(move_solids_above_limit(solver_.domain(), halo_, solids));
+  {
+    const Stopwatch watch(solver_.costs(), cost_solids_);
+    moved_cells_ = local_.sum(move_solids_above_limit(solver_.domain(), halo_, solids));
+  }
   Array3<double>& void_fraction = fields_.scalar(GasField::void_fraction);
   for_each_cell(solver_.own(),
                 [&](int i, int j, int k) { void_fraction(i, j, k) = 1.0 - solids(i, j, k); });

@@ -56,6 +56,7 @@ class CouplingPort {
 
   std::size_t cost_transport_;
   std::size_t cost_wait_;
+  std::size_t cost_solids_;
 };
 
 }  // namespace gasgrain
