@@ -51,7 +51,7 @@ void wait_sleeping(std::vector<MPI_Request>& requests) {
     if (done != 0) return;
     // Sleep in proportion to the wait so far: a twentieth of it, within the two bounds.
     const auto waited = duration_cast<microseconds>(steady_clock::now() - start);
-    std::this_thread::sleep_for(std::clamp(waited / 20, microseconds(20), microseconds(1000)));
+    std::this_thread::sleep_for(std::clamp(waited / 20, microseconds(20), microseconds(500)));
   }
 }
 
