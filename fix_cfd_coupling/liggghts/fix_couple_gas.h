@@ -78,6 +78,7 @@ class FixCoupleGas : public Fix {
   [[nodiscard]] bool due(bigint step) const;
   [[nodiscard]] bigint step_now() const;
   void couple();
+  void open_history();
   void record();
   void apply_forces(double share_of_step);
   void warn_of_later_forces() const;

@@ -11,13 +11,12 @@ the weight.
 """
 
 import math
-import sys
 import unittest
 from dataclasses import dataclass
 
 import numpy as np
 
-from suspension import (DOCS, GRAVITY, LEAST_STEPS_A_CONTACT, Run, gas_toml, grains_data,
+from suspension import (DOCS, GRAVITY, LEAST_STEPS_A_CONTACT, Run, gas_toml, grains_data, main,
                         random_spheres, read_csv, script, write_csv)
 
 GRAIN = 2500.0       # kg/m3
@@ -304,9 +303,4 @@ def plot():
 
 
 if __name__ == "__main__":
-    if sys.argv[1:] == ["--full"]:
-        study()
-    if sys.argv[1:] in (["--full"], ["--plot"]):
-        plot()
-    else:
-        unittest.main(verbosity=2)
+    main(study, plot)

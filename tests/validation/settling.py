@@ -11,13 +11,12 @@ evenly, K |u - v| = eps V_p (rho_p - rho) g, so that the error is known to be th
 """
 
 import math
-import sys
 import unittest
 from dataclasses import dataclass
 
 import numpy as np
 
-from suspension import (DOCS, GRAVITY, Run, gas_toml, grains_data, random_spheres, read_csv, script,
+from suspension import (DOCS, GRAVITY, Run, gas_toml, grains_data, main, random_spheres, read_csv, script,
                         write_csv)
 
 GRAIN = 2500.0          # kg/m3
@@ -265,9 +264,4 @@ def plot():
 
 
 if __name__ == "__main__":
-    if sys.argv[1:] == ["--full"]:
-        study()
-    if sys.argv[1:] in (["--full"], ["--plot"]):
-        plot()
-    else:
-        unittest.main(verbosity=2)
+    main(study, plot)

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import unittest
 from pathlib import Path
 
 import numpy as np
@@ -169,3 +170,13 @@ def read_csv(path):
 
     with open(path, encoding="ascii") as file:
         return [{key: value(text) for key, text in row.items()} for row in csv.DictReader(file)]
+
+
+def main(study, plot):
+    """--full: the study and its picture; --plot: the picture of the last study; else the tests."""
+    if sys.argv[1:] == ["--full"]:
+        study()
+    if sys.argv[1:] in (["--full"], ["--plot"]):
+        plot()
+    else:
+        unittest.main(module="__main__", verbosity=2)
