@@ -49,10 +49,14 @@ int FixCoupleGas::pack_restart(int particle, double* buffer) {
   return size_restart(particle);
 }
 
+// A bed that was only packed may have been written with other effects, by other records.
 void FixCoupleGas::unpack_restart(int particle, int nth) {
   double* share = atom->extra[particle];
   for (int n = 0; n < nth; ++n) share += static_cast<int>(share[0]);
-  unpack_exchange(particle, share + 1);
+  if (last_coupled_ < 0)
+    records_.clear(particle);
+  else
+    unpack_exchange(particle, share + 1);
 }
 
 int FixCoupleGas::size_restart(int) {
@@ -92,8 +96,11 @@ void FixCoupleGas::restart(char* data) {
   if (state.format != stored_format)
     gasgrain::stop_everything(
         "the checkpoint is of another version of gasgrain: start the run anew.");
-  // The gas is ahead by the interval it was told; before the first coupling it may still be chosen.
-  if (state.last_coupled >= 0 && state.every != every_)
+  resumed_ = true;
+  // A bed that has not met the gas yet may begin any run; where it met it, the gas is ahead by the
+  // interval it was told.
+  if (state.last_coupled < 0) return;
+  if (state.every != every_)
     gasgrain::stop_everything(fmt::format(
         "the checkpoint was written with 'every {}', the script has 'every {}': keep it.",
         state.every, every_));
@@ -113,7 +120,6 @@ void FixCoupleGas::restart(char* data) {
   restored_ledger_.resize(static_cast<std::size_t>(state.ledger_values));
   std::memcpy(restored_ledger_.data(), data + sizeof(state),
               restored_ledger_.size() * sizeof(double));
-  resumed_ = true;
 }
 
 }  // namespace LAMMPS_NS

@@ -19,7 +19,7 @@ from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parents[2]
 SCENE = SOURCE / "inputs" / "spouted_bed_small"
-PACK = 4000  # steps without gas
+PACKING = 0.04  # s without gas
 LAUNCHES = {"1 + 1": (1, 1), "1 inside": (1, 0), "2 inside": (2, 0), "2 + 1": (2, 1)}
 
 
@@ -28,12 +28,12 @@ def measured(build, dem_ranks, gas_ranks, gas_time):
     with tempfile.TemporaryDirectory(prefix="gasgrain-bench-") as folder:
         script = (SCENE / "in.liggghts").read_text()
         if gas_ranks == 0:
-            script = script.replace("output ${out} &", "output ${out} gas gas.toml &")
+            script = script.replace("output ${out} mode", "output ${out} gas gas.toml mode")
         (Path(folder) / "in.liggghts").write_text(script)
         shutil.copy(SCENE / "gas.toml", folder)
         command = ["mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none",
                    "-np", str(dem_ranks), build / "gasgrain-liggghts", "-in", "in.liggghts",
-                   "-var", "pack", str(PACK), "-var", "time", str(gas_time)]
+                   "-var", "packing", str(PACKING), "-var", "time", str(gas_time)]
         if gas_ranks > 0:
             command += [":", "-np", str(gas_ranks), build / "gasgrain-gas", "gas.toml"]
         environment = dict(os.environ, OMPI_MCA_mpi_yield_when_idle="1", OMP_NUM_THREADS="1",

@@ -19,8 +19,8 @@ SCENE = SOURCE / "inputs" / "spouted_bed_small"
 class ShippedScene(unittest.TestCase):
     def test_control_c_and_restart(self):
         out = Path(tempfile.mkdtemp(prefix="gasgrain-scene-"))
-        command = [BIN / "gasgrain", "run", SCENE, "--out", out, "--no-plots", "--var", "pack", "400",
-                   "--dem-ranks", "2"]
+        command = [BIN / "gasgrain", "run", SCENE, "--out", out, "--no-plots", "--var", "packing",
+                   "0.004", "--dem-ranks", "2"]
         try:
             process = subprocess.Popen([*command, "--time", "0.2"], text=True, start_new_session=True,
                                        stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
