@@ -1,0 +1,45 @@
+// A copy of a scene's folder with some of its dials turned: a scene like any other, to be run, read
+// and changed by hand. Comments stay; the scene itself is never touched.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace gasgrain {
+
+class SceneCopy {
+ public:
+  // Copies the files of the scene, links as what they point to, into `folder`, which is made. An
+  // earlier copy there is replaced. Throws Error when `folder` is the scene.
+  SceneCopy(const std::filesystem::path& scene, std::filesystem::path folder);
+
+  // The value of a `variable NAME index VALUE` line of in.liggghts. Throws an Error that names the
+  // line to add and the nearest variable when the scene has none of this name.
+  void set_variable(const std::string& name, const std::string& value);
+  // The words after `index` of that line, without quotes.
+  [[nodiscard]] std::string variable(const std::string& name) const;
+  [[nodiscard]] bool has_variable(const std::string& name) const;
+
+  // Replaces text of the script's line of this number, from 1 on, where it occurs first. Throws
+  // Error where it does not occur.
+  void replace_in_script(int line, const std::string& text, const std::string& by);
+
+  // A key of a table of gas.toml, "grid.cells": its value is replaced, or the key is added, with
+  // its table where that is absent. `value` is TOML text.
+  void set_gas_key(const std::string& key, const std::string& value);
+
+  // Writes both files.
+  void write() const;
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+
+ private:
+  [[nodiscard]] std::size_t variable_line(const std::string& name) const;
+
+  std::filesystem::path scene_;
+  std::filesystem::path folder_;
+  std::vector<std::string> script_;  // lines
+  std::vector<std::string> gas_;
+};
+
+}  // namespace gasgrain
