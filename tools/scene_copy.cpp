@@ -100,7 +100,7 @@ std::string SceneCopy::variable(const std::string& name) const {
     fail(
         "{}: this needs a line 'variable {} index VALUE' whose ${{{}}} the script uses.{} "
         "inputs/spouted_bed_small/in.liggghts shows all of them.",
-        (scene_ / "in.liggghts").string(), name, name,
+        script_path(), name, name,
         nearest.empty() ? "" : fmt::format(" There is \"{}\".", nearest));
   }
   const auto parts = parsed_variable(script_[n]);
@@ -124,34 +124,47 @@ void SceneCopy::replace_in_script(int line, const std::string& text, const std::
   const auto n = static_cast<std::size_t>(line - 1);
   const std::size_t place = n < script_.size() ? script_[n].find(text) : std::string::npos;
   if (place == std::string::npos)
-    fail("{}:{}: there is no \"{}\" to be replaced.", (scene_ / "in.liggghts").string(), line,
-         text);
+    fail("{}:{}: there is no \"{}\" to be replaced.", script_path(), line, text);
   script_[n].replace(place, text.size(), by);
+}
+
+toml::table SceneCopy::gas_table() const {
+  try {
+    return toml::parse(joined(gas_));
+  } catch (const toml::parse_error& e) {
+    fail("{}:{}: {}", gas_path(), e.source().begin.line, e.description());
+  }
 }
 
 void SceneCopy::set_gas_key(const std::string& key, const std::string& value) {
   const auto dot = key.rfind('.');
   const std::string table = key.substr(0, dot);
   const std::string name = key.substr(dot + 1);
-  try {
-    const toml::table whole = toml::parse(joined(gas_));
-    if (const auto node = whole.at_path(key)) {
-      const toml::source_region& place = node.node()->source();
-      const std::size_t first = place.begin.line - 1;
-      const std::size_t last = place.end.line - 1;
-      const std::string before = gas_[first].substr(0, place.begin.column - 1);
-      const std::string after = gas_[last].substr(place.end.column - 1);
-      gas_.erase(gas_.begin() + static_cast<long>(first), gas_.begin() + static_cast<long>(last));
-      gas_[first] = before + value + after;
-    } else if (const auto home = whole.at_path(table)) {
-      const auto row = static_cast<long>(home.node()->source().begin.line);
-      gas_.insert(gas_.begin() + row, name + " = " + value);
-    } else {
-      gas_.insert(gas_.end(), {"", "[" + table + "]", name + " = " + value});
-    }
-  } catch (const toml::parse_error& e) {
-    fail("{}:{}: {}", (scene_ / "gas.toml").string(), e.source().begin.line, e.description());
+  const toml::table whole = gas_table();
+  if (const auto node = whole.at_path(key)) {
+    const toml::source_region& place = node.node()->source();
+    const std::size_t first = place.begin.line - 1;
+    const std::size_t last = place.end.line - 1;
+    const std::string before = gas_[first].substr(0, place.begin.column - 1);
+    const std::string after = gas_[last].substr(place.end.column - 1);
+    gas_.erase(gas_.begin() + static_cast<long>(first), gas_.begin() + static_cast<long>(last));
+    gas_[first] = before + value + after;
+  } else if (const auto home = whole.at_path(table)) {
+    const auto row = static_cast<long>(home.node()->source().begin.line);
+    gas_.insert(gas_.begin() + row, name + " = " + value);
+  } else {
+    gas_.insert(gas_.end(), {"", "[" + table + "]", name + " = " + value});
   }
+}
+
+std::vector<double> SceneCopy::gas_numbers(const std::string& key) const {
+  const toml::table whole = gas_table();
+  const auto node = whole.at_path(key);
+  std::vector<double> numbers;
+  if (const auto one = node.value<double>()) numbers.push_back(*one);
+  if (const toml::array* list = node.as_array())
+    for (const auto& element : *list) numbers.push_back(element.value<double>().value_or(0.0));
+  return numbers;
 }
 
 void SceneCopy::write() const {

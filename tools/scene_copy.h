@@ -6,6 +6,12 @@
 #include <string>
 #include <vector>
 
+namespace toml {
+inline namespace v3 {
+class table;
+}  // namespace v3
+}  // namespace toml
+
 namespace gasgrain {
 
 class SceneCopy {
@@ -28,12 +34,18 @@ class SceneCopy {
   // A key of a table of gas.toml, "grid.cells": its value is replaced, or the key is added, with
   // its table where that is absent. `value` is TOML text.
   void set_gas_key(const std::string& key, const std::string& value);
+  // The numbers of a key's value, a number or a list of them; none where the key is absent.
+  [[nodiscard]] std::vector<double> gas_numbers(const std::string& key) const;
 
   // Writes both files.
   void write() const;
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+  // Where the script and the input of the scene are, for messages.
+  [[nodiscard]] std::string script_path() const { return (scene_ / "in.liggghts").string(); }
+  [[nodiscard]] std::string gas_path() const { return (scene_ / "gas.toml").string(); }
 
  private:
+  [[nodiscard]] toml::table gas_table() const;
   [[nodiscard]] std::size_t variable_line(const std::string& name) const;
 
   std::filesystem::path scene_;

@@ -45,6 +45,9 @@ class SceneCopies : public testing::Test {
 TEST_F(SceneCopies, turned_dials_change_their_values_alone) {
   SceneCopy copy(root_ / "scene", root_ / "copy");
   EXPECT_EQ(copy.variable("contact"), "hertz tangential history");
+  EXPECT_EQ(copy.gas_numbers("grid.cells"), (std::vector<double>{14, 3, 66}));
+  EXPECT_EQ(copy.gas_numbers("time.step"), std::vector<double>{1e-3});
+  EXPECT_TRUE(copy.gas_numbers("time.end").empty());
   copy.set_variable("dt", "2e-6");
   copy.set_variable("contact", "hooke");
   copy.replace_in_script(4, "every 100", "every 500");
