@@ -73,4 +73,11 @@ std::optional<double> History::last(const std::string& column) const {
   return rows_.empty() ? std::nullopt : value(rows_.size() - 1, column);
 }
 
+std::optional<std::string> History::lowest_probe() const {
+  const auto found = std::find_if(columns_.begin(), columns_.end(), [](const std::string& column) {
+    return column.rfind("p_", 0) == 0;
+  });
+  return found == columns_.end() ? std::nullopt : std::optional(*found);
+}
+
 }  // namespace gasgrain

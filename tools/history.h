@@ -36,6 +36,8 @@ class History {
   // Nothing where the column is absent or the value is no finite number.
   [[nodiscard]] std::optional<double> value(std::size_t row, const std::string& column) const;
   [[nodiscard]] std::optional<double> last(const std::string& column) const;
+  // Column of the first pressure probe, "p_<height>m_Pa"; nothing where the scene has none.
+  [[nodiscard]] std::optional<std::string> lowest_probe() const;
 
  private:
   std::filesystem::path file_;

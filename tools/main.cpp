@@ -4,6 +4,7 @@
 
 #include "coupling/base/error.h"
 #include "tools/run_command.h"
+#include "tools/study/study_command.h"
 
 namespace {
 
@@ -41,6 +42,46 @@ void add_run(CLI::App& app, gasgrain::RunOptions& options) {
   run->footer(run_examples);
 }
 
+constexpr const char* study_examples = R"(Examples:
+  gasgrain study void-fraction inputs/spouted_bed_small --quick
+      all methods on two grids, some minutes; table and picture in results/study/...
+  gasgrain study coupling-interval inputs/spouted_bed_small --values 1e-3 2e-3 --time 0.1
+      two intervals, each in turn and overlapped, 0.1 s of gas
+  gasgrain study contact-model inputs/spouted_bed_small --values "hertz tangential history" hooke
+      two contact models
+  gasgrain study stiffness inputs/spouted_bed --repeats 3
+      the bed of Alobaid (2013): hours
+
+A scene offers its dials as variables of in.liggghts (inputs/spouted_bed_small has all of them).
+Ctrl-C ends a study; the same command goes on from the points that are done. A point that fails is a
+row of the table that says why.)";
+
+void add_study(CLI::App& app, gasgrain::StudyOptions& options) {
+  CLI::App* study =
+      app.add_subcommand("study", "Sweeps a dial of a scene: what its accuracy costs in time");
+  std::string kinds = "What is turned:";
+  for (const auto& [name, text] : gasgrain::study_kinds())
+    kinds += fmt::format("\n  {:<18} {}", name, text);
+  study->add_option("KIND", options.kind, kinds)->required();
+  study->add_option("SCENE", options.scene, "Folder with in.liggghts and gas.toml")->required();
+  study->add_option("--values", options.values, "Values of the dial instead of the study's own");
+  study->add_option("--time", options.time_s, "Gas time of each point [s]")
+      ->check(CLI::PositiveNumber);
+  study->add_flag("--quick", options.quick, "Few values, short runs: minutes on a small bed");
+  study->add_option("--repeats", options.repeats, "Runs a point; its cost is their median")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  study->add_option("--dem-ranks", options.dem_ranks, "MPI ranks of the DEM side")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  study->add_option("--gas-ranks", options.gas_ranks, "MPI ranks of the gas side")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  study->add_option("--out", options.out, "Folder (default: results/study/<scene name>/KIND)");
+  study->add_flag("--no-plots", options.no_plots, "Leave out study.png");
+  study->footer(study_examples);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -48,11 +89,14 @@ int main(int argc, char** argv) {
     CLI::App app{"Gas and particles, coupled: a DEM code and a gas solver run as one."};
     app.set_version_flag("--version", "gasgrain " GASGRAIN_VERSION);
     app.require_subcommand(1);
-    app.footer("Help on a subcommand, with examples: gasgrain run --help");
-    gasgrain::RunOptions options;
-    add_run(app, options);
+    app.footer("Help on a subcommand, with examples: gasgrain run --help, gasgrain study --help");
+    gasgrain::RunOptions run_options;
+    gasgrain::StudyOptions study_options;
+    add_run(app, run_options);
+    add_study(app, study_options);
     CLI11_PARSE(app, argc, argv);
-    return gasgrain::run(options);
+    return app.got_subcommand("study") ? gasgrain::study(study_options)
+                                       : gasgrain::run(run_options);
   } catch (const std::exception& e) {
     std::fprintf(stderr, "gasgrain: error: %s\n", e.what());
     return 1;

@@ -115,9 +115,9 @@ void SceneCopy::set_variable(const std::string& name, const std::string& value) 
   static_cast<void>(variable(name));  // an error when there is none
   std::string& line = script_[variable_line(name)];
   const auto parts = parsed_variable(line);
-  const bool several_words = value.find(' ') != std::string::npos;
+  const bool quotes = value.empty() || value.find(' ') != std::string::npos;
   line.replace(parts.value_begin, parts.value_end - parts.value_begin,
-               several_words ? '"' + value + '"' : value);
+               quotes ? '"' + value + '"' : value);
 }
 
 void SceneCopy::replace_in_script(int line, const std::string& text, const std::string& by) {
@@ -157,6 +157,21 @@ void SceneCopy::set_gas_key(const std::string& key, const std::string& value) {
   }
 }
 
+bool SceneCopy::has_gas_key(const std::string& key) const {
+  return static_cast<bool>(gas_table().at_path(key));
+}
+
+void SceneCopy::remove_gas_table(const std::string& name) {
+  const auto begins_table = [](const std::string& line) {
+    return line.substr(0, line.find_first_not_of(" \t") + 1).find('[') != std::string::npos;
+  };
+  const toml::table whole = gas_table();
+  const auto table = whole.at_path(name);
+  if (!table) return;
+  const auto first = gas_.begin() + static_cast<long>(table.node()->source().begin.line) - 1;
+  gas_.erase(first, std::find_if(first + 1, gas_.end(), begins_table));
+}
+
 std::vector<double> SceneCopy::gas_numbers(const std::string& key) const {
   const toml::table whole = gas_table();
   const auto node = whole.at_path(key);
@@ -165,6 +180,10 @@ std::vector<double> SceneCopy::gas_numbers(const std::string& key) const {
   if (const toml::array* list = node.as_array())
     for (const auto& element : *list) numbers.push_back(element.value<double>().value_or(0.0));
   return numbers;
+}
+
+std::string SceneCopy::text() const {
+  return joined(script_) + joined(gas_);
 }
 
 void SceneCopy::write() const {

@@ -34,11 +34,16 @@ class SceneCopy {
   // A key of a table of gas.toml, "grid.cells": its value is replaced, or the key is added, with
   // its table where that is absent. `value` is TOML text.
   void set_gas_key(const std::string& key, const std::string& value);
+  // Takes a table of gas.toml out, up to the next one.
+  void remove_gas_table(const std::string& name);
+  [[nodiscard]] bool has_gas_key(const std::string& key) const;
   // The numbers of a key's value, a number or a list of them; none where the key is absent.
   [[nodiscard]] std::vector<double> gas_numbers(const std::string& key) const;
 
   // Writes both files.
   void write() const;
+  // Both files in one text: what tells two copies apart.
+  [[nodiscard]] std::string text() const;
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   // Where the script and the input of the scene are, for messages.
   [[nodiscard]] std::string script_path() const { return (scene_ / "in.liggghts").string(); }

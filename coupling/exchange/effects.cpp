@@ -27,12 +27,6 @@ struct SelfIgnored {
 };
 using SelfChoice = std::variant<SelfUndone, SelfIgnored>;
 
-std::vector<std::string> known_words() {
-  std::vector<std::string> words = choice_names<Force>();
-  words.insert(words.begin(), {drag_word, method_word, sharing_word, self_word, polydisperse_word});
-  return words;
-}
-
 class EffectsParser {
  public:
   EffectsParser(const std::vector<std::string>& words, const std::string& where)
@@ -83,7 +77,7 @@ class EffectsParser {
   void read_force(const std::string& word) {
     const auto force = choice_named<Force>(word);
     if (!force)
-      fault("the effect \"{}\" is unknown.{}", word, suggestion(word, known_words()));
+      fault("the effect \"{}\" is unknown.{}", word, suggestion(word, effect_words()));
     else {
       Force named = *force;
       std::visit(
@@ -129,7 +123,7 @@ class EffectsParser {
   }
 
   void read_void_fraction(const std::string& word) {
-    const MethodWords read = read_method(words_, next_, known_words());
+    const MethodWords read = read_method(words_, next_, effect_words());
     next_ += read.taken;
     if (!read.named)
       fault("{}", read.fault);
@@ -142,7 +136,7 @@ class EffectsParser {
   template <class List, class Store>
   void read_choice(const std::string& word, Store&& store) {
     const auto names = choice_names<List>();
-    const auto known = known_words();
+    const auto known = effect_words();
     const bool missing = next_ == words_.size() ||
                          std::find(known.begin(), known.end(), words_[next_]) != known.end();
     if (missing) {
@@ -254,6 +248,12 @@ std::string Effects::text() const {
         },
         force);
   }
+  return words;
+}
+
+std::vector<std::string> effect_words() {
+  std::vector<std::string> words = choice_names<Force>();
+  words.insert(words.begin(), {drag_word, method_word, sharing_word, self_word, polydisperse_word});
   return words;
 }
 

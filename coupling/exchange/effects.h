@@ -46,6 +46,9 @@ struct Effects {
   [[nodiscard]] std::string text() const;
 };
 
+// The words that begin an effect: those that take a name, then the forces.
+std::vector<std::string> effect_words();
+
 // Throws one Error with all faults, a line each, each beginning with `where` (file and line, or the
 // command, of the words).
 Effects parse_effects(const std::vector<std::string>& words, const std::string& where);

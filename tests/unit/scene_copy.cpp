@@ -71,10 +71,24 @@ TEST_F(SceneCopies, turned_dials_change_their_values_alone) {
             "convection = \"upwind\"\n");
 }
 
+TEST_F(SceneCopies, a_table_goes_with_its_keys) {
+  SceneCopy copy(root_ / "scene", root_ / "copy");
+  EXPECT_TRUE(copy.has_gas_key("grid.cells"));
+  copy.remove_gas_table("grid");
+  copy.remove_gas_table("turbulence");  // is none
+  EXPECT_FALSE(copy.has_gas_key("grid.cells"));
+  copy.write();
+  EXPECT_EQ(text_of(root_ / "copy" / "gas.toml"),
+            "[time]\n"
+            "step = 1e-3  # s\n");
+}
+
 TEST_F(SceneCopies, words_are_quoted_again) {
   SceneCopy copy(root_ / "scene", root_ / "copy");
   copy.set_variable("contact", "hooke tangential history");
   EXPECT_EQ(copy.variable("contact"), "hooke tangential history");
+  copy.set_variable("contact", "");
+  EXPECT_EQ(copy.variable("contact"), "");
 }
 
 TEST_F(SceneCopies, an_absent_variable_is_told_with_the_line_to_add) {
