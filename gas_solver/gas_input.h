@@ -55,6 +55,7 @@ struct GasInput {
 
   double step = 1e-3;       // greatest step of time [s]
   double courant_max = 20;  // greatest Courant number
+  int substeps_max = 1000;  // that it may split one of them into
   double end = 0;           // end of a run without particles [s]
   TimeScheme scheme = TimeScheme::implicit_euler;
 

@@ -15,6 +15,7 @@
 #include "coupling/base/file_locks.h"
 #include "coupling/transport/launch.h"
 #include "gas_solver/coupled_gas_port.h"
+#include "gas_solver/gas_fault.h"
 #include "gas_solver/gas_step.h"
 #include "gas_solver/io/cost_file.h"
 #include "gas_solver/io/history.h"
@@ -40,6 +41,21 @@ long checkpoints_due(const GasSolver& gas, const GasInput& input) {
   constexpr double round_off = 1e-6;
   if (input.checkpoint_every <= 0) return 0;
   return static_cast<long>(std::floor(gas.time() / input.checkpoint_every + round_off));
+}
+
+// A gas that cannot go on leaves its state beside the good checkpoints.
+GasReport advance_or_leave_autopsy(GasSolver& gas, double interval, const std::string& out) {
+  try {
+    return gas.advance(interval);
+  } catch (const GasFault& fault) {
+    const std::string file = out + "/gas.autopsy.h5";
+    try {
+      gas.write_checkpoint(file);
+    } catch (const Error& unwritten) {
+      fail("{}\nNo autopsy of it: {}", fault.what(), unwritten.what());
+    }
+    fail("{}\nFor an autopsy, its state is in {}", fault.what(), file);
+  }
 }
 
 // The exit status. A wish to stop is met at the end of an interval.
@@ -74,7 +90,8 @@ int run_alone(const Options& options, const GasInput& input, const Communicator&
   while (goes_on() && wish == 0) {
     // Intervals end at multiples of their length, so that a restarted run has the same ones.
     const double next = interval * (std::floor((gas.time() + round_off) / interval) + 1);
-    const GasReport report = gas.advance(std::min(next, input.end) - gas.time());
+    const GasReport report =
+        advance_or_leave_autopsy(gas, std::min(next, input.end) - gas.time(), options.files.out);
     // A run that goes on from a checkpoint at this time has learnt nothing either.
     gas.forget();
     wish = static_cast<int>(comm.max(stop_wish()));

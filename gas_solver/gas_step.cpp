@@ -7,6 +7,7 @@
 #include "gas_solver/mass_source.h"
 #include "gas_solver/operators/quantity.h"
 #include "gas_solver/operators/require_finite.h"
+#include "gas_solver/operators/runaway.h"
 
 namespace gasgrain {
 namespace {
@@ -93,13 +94,14 @@ GasReport GasSolver::advance(double interval) {
   double done = 0;
   while (done < interval) {
     const double left = interval - done;
-    const double wanted = next_step(left);
+    const double wanted = next_step(left, interval);
     if (left > max_steps * wanted)
       fail(
           "at t = {:.9g} s the gas needs more than {} steps for the {:.3g} s that are left of an "
           "interval: [time] step = {} s or courant_max = {} is too small, or the flow has run away "
           "(greatest |u| / h = {:.3g} 1/s).",
-          time_, max_steps, left, input_.step, input_.courant_max, courant_rate());
+          time_, max_steps, left, input_.step, input_.courant_max,
+          courant_rate(domain_, state_.velocity));
     // A last step takes all that is left, so that no remainder of round-off follows it.
     const int steps = static_cast<int>(std::ceil(left / wanted * (1 - 1e-12)));
     const double dt = steps <= 1 ? left : left / steps;
@@ -138,7 +140,7 @@ void GasSolver::step(double dt, double share, GasReport& report) {
   require_finite(domain_, state_, time_);
   report.substeps += 1;
   report.step = std::min(report.step, dt);
-  report.courant_max = std::max(report.courant_max, dt * courant_rate());
+  report.courant_max = std::max(report.courant_max, dt * courant_rate(domain_, state_.velocity));
 }
 
 void GasSolver::predict_and_project(double dt, const std::vector<InflowFace>& inflow,
@@ -180,24 +182,12 @@ void GasSolver::fill_velocity_layers() {
   for (int d = 0; d < 3; ++d) fill_ghost_velocities(domain_, input_.walls(), d, state_.velocity[d]);
 }
 
-// Greatest |u| / h of all faces [1/s].
-double GasSolver::courant_rate() const {
-  double rate = 0;
-  for (int d = 0; d < 3; ++d) {
-    const Array3<double>& u = state_.velocity[d];
-    double greatest = 0;
-    for_each_cell(domain_.faces(d), [&](int i, int j, int k) {
-      greatest = std::max(greatest, std::abs(u(i, j, k)));
-    });
-    rate = std::max(rate, greatest / grid().spacing()[d]);
-  }
-  return domain_.comm().max(rate);
-}
-
-double GasSolver::next_step(double left) {
+double GasSolver::next_step(double left, double interval) {
   inflow_.at(time_ + input_.step, state_.density);
-  const double of_inflow = domain_.comm().max(inflow_.courant_rate());
-  const double rate = std::max(courant_rate(), of_inflow);
+  const CourantRates rates{courant_rate(domain_, state_.velocity),
+                           domain_.comm().max(inflow_.courant_rate())};
+  require_bounded(domain_, input_, state_.velocity, rates, interval, time_);
+  const double rate = std::max(rates.flow, rates.inflow);
   return std::min({input_.step, left, rate > 0 ? input_.courant_max / rate : left});
 }
 

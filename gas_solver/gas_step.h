@@ -117,8 +117,7 @@ class GasSolver {
   // `share`: of what is left of the interval.
   void step(double step, double share, GasReport& report);
   void predict_and_project(double step, const std::vector<InflowFace>& inflow, GasReport& report);
-  [[nodiscard]] double next_step(double left);
-  [[nodiscard]] double courant_rate() const;
+  [[nodiscard]] double next_step(double left, double interval);
   void fill_velocity_layers();
   void measure(GasReport& report);
   [[nodiscard]] double gas_mass() const;

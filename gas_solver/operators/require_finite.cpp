@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupling/base/error.h"
+#include "gas_solver/gas_fault.h"
 
 namespace gasgrain {
 
@@ -26,13 +26,12 @@ void require_finite(const Domain& domain, const GasState& state, double time) {
   const Int3 at{static_cast<int>(number % cells[0]), static_cast<int>(number / cells[0] % cells[1]),
                 static_cast<int>(number / cells[0] / cells[1])};
   const Vec3 x = grid.lo + grid.spacing().cwiseProduct(Vec3(at[0] + 0.5, at[1] + 0.5, at[2] + 0.5));
-  fail(
+  throw GasFault(fmt::format(
       "the gas velocity or pressure in cell ({}, {}, {}) at x = {:.6g}, y = {:.6g}, z = {:.6g} m "
-      "is "
-      "not finite at t = {:.9g} s. Lower [time] step or courant_max, or look for a void fraction "
-      "or "
-      "drag that is not finite there.",
-      at[0], at[1], at[2], x[0], x[1], x[2], time);
+      "is not finite at t = {:.9g} s. Likely the flow has run away there, or a void fraction or "
+      "drag "
+      "that is not finite has come in: lower [time] step or courant_max.",
+      at[0], at[1], at[2], x[0], x[1], x[2], time));
 }
 
 }  // namespace gasgrain

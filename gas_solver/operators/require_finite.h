@@ -5,7 +5,7 @@
 
 namespace gasgrain {
 
-// Throws the same Error, of the first cell at fault, on every rank. Collective.
+// Throws the same GasFault, of the first cell at fault, on every rank. Collective.
 void require_finite(const Domain& domain, const GasState& state, double time);
 
 }  // namespace gasgrain
