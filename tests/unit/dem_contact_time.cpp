@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
+
+#include "fix_cfd_coupling/dem_physics/contact_step.h"
 
 namespace gasgrain::contact {
 namespace {
@@ -150,6 +153,59 @@ TEST(contact_time, rayleighs_wave_runs_over_a_glass_sphere_in_a_microsecond) {
   EXPECT_NEAR(t, pi * 1.25e-3 / wave_speed, 1e-15);
   EXPECT_GT(t, 1.1e-6);
   EXPECT_LT(t, 1.4e-6);
+}
+
+// velocity Verlet with the force of the half-step velocity, as the host has it; `phase`: where in
+// the step the contact begins.
+double verlet_restitution(double share, double restitution, double phase) {
+  const double zeta = damping_ratio(restitution);
+  const double k = 1000.0;
+  const double dt = share * linear_duration(k, mass, restitution);
+  const auto a = [&](double x, double v) {
+    return x > 0.0 ? -(k * x + 2.0 * zeta * std::sqrt(mass * k) * v) / mass : 0.0;
+  };
+  double x = -phase * dt;
+  double v = 1.0;
+  double now = 0.0;
+  while (x > 0.0 || v > 0.0) {
+    const double half = v + 0.5 * dt * now;
+    x += dt * half;
+    now = a(x, half);
+    v = half + 0.5 * dt * now;
+  }
+  return -v;
+}
+
+// The figures of contact_step.h, of hooke at e = 0.97.
+TEST(contact_step, the_restitution_of_a_step_is_as_good_as_its_share_of_the_contact) {
+  const auto spread = [](double share) {
+    double least = 2.0;
+    double greatest = 0.0;
+    for (int n = 0; n < 40; ++n) {
+      const double met = verlet_restitution(share, 0.97, (n + 0.5) / 40.0);
+      least = std::min(least, met);
+      greatest = std::max(greatest, met);
+    }
+    return std::pair{least, greatest};
+  };
+  EXPECT_GT(spread(advised_share).first, 0.969);
+  EXPECT_LT(spread(advised_share).second, 0.9735);
+  EXPECT_GT(spread(resolved_share).first, 0.966);
+  EXPECT_LT(spread(resolved_share).second, 0.978);
+  EXPECT_GT(spread(2.0 * resolved_share).second, 0.99);
+}
+
+// omega dt = 2 in the stiffest motion of a close packing, which is twice that of a pair.
+TEST(contact_step, the_stable_share_is_verlets_limit_in_a_close_packing) {
+  const double k = 1000.0;
+  const double pair = std::sqrt(k / mass);
+  EXPECT_NEAR(2.0 / (2.0 * pair) / linear_duration(k, mass), stable_share, 1e-3);
+}
+
+TEST(contact_step, a_step_to_write_has_two_digits_and_is_not_above) {
+  EXPECT_NEAR(two_digits_below(1.6789e-5), 1.6e-5, 1e-18);
+  EXPECT_NEAR(two_digits_below(1.0e-5), 1.0e-5, 1e-18);
+  EXPECT_NEAR(two_digits_below(9.99e-4), 9.9e-4, 1e-16);
 }
 
 }  // namespace
