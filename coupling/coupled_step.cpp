@@ -7,6 +7,7 @@
 
 #include "coupling/base/error.h"
 #include "coupling/exchange/void_fraction/choose_method.h"
+#include "coupling/run_watch.h"
 
 namespace gasgrain {
 namespace {
@@ -58,7 +59,8 @@ CoupledStep::CoupledStep(const Communicator& local, std::unique_ptr<GasPartner> 
       cost_transport_(costs_.task("coupling: transport")),
       cost_wait_(costs_.task("coupling: waiting for the gas")),
       cost_sample_(costs_.task("coupling: sampling")),
-      cost_forces_(costs_.task("coupling: forces")) {}
+      cost_forces_(costs_.task("coupling: forces")),
+      cost_look_(costs_.task("coupling: looking for faults")) {}
 
 // At the first coupling that has particles. What grains come later, greater ones too, finds the
 // method and its diameter as they are.
@@ -133,6 +135,7 @@ void CoupledStep::begin(const ParticleView& particles, const DemRegion& region,
   deposit(particles);
   exchange_solids(fresh);
   charge_gas(particles, records);
+  look_at_interval(particles, records);
   answer_to_come_ = true;
   {
     const Stopwatch watch(costs_, cost_wait_);
@@ -195,12 +198,23 @@ void CoupledStep::charge_gas(const ParticleView& particles, ExchangeRecords& rec
   transport_.send(fields_.components(effects_.taken().without(taken_early)), drag_tag);
 }
 
+void CoupledStep::look_at_interval(const ParticleView& particles, const ExchangeRecords& records) {
+  const Stopwatch watch(costs_, cost_look_);
+  IntervalGas gas{gas_.density, frame_.grid};
+  // Without own drag K is not that of a grain's motion.
+  if (effects_.drag && effects_.own_drag())
+    gas.void_fraction = &fields_.scalar(GasField::void_fraction);
+  gas.interval = overlapped_ ? 2.0 * interval_ : interval_;
+  interval_need_ = gasgrain::interval_need(particles, records, gas);
+}
+
 void CoupledStep::receive_answer() {
   const Stopwatch watch(costs_, cost_wait_);
   const FieldList late = fields_.components(effects_.lent().without(lent_early));
   if (!late.empty()) transport_.receive(late, lent_tag);
   report_ = partner_->receive_report();
   answer_to_come_ = false;
+  share_fault(local_, report_.fault != 0 ? report_.fault_text.data() : "");
   if (local_.is_root())
     ledger_.add_given(
         Vec3(report_.drag_impulse[0], report_.drag_impulse[1], report_.drag_impulse[2]));
@@ -272,6 +286,14 @@ void CoupledStep::checkpoint(long step) {
   command.step = step;
   partner_->send_command(command);
   partner_->receive_report();
+}
+
+std::string CoupledStep::autopsy(long step) {
+  Command command;
+  command.kind = CommandKind::autopsy;
+  command.step = step;
+  partner_->send_command(command);
+  return partner_->receive_report().fault_text.data();
 }
 
 void CoupledStep::finish() {

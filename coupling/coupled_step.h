@@ -19,12 +19,14 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "coupling/base/cost_ledger.h"
 #include "coupling/exchange/applied_forces.h"
 #include "coupling/exchange/effects.h"
 #include "coupling/exchange/ledger.h"
 #include "coupling/exchange/particle_exchange.h"
+#include "coupling/interval_check.h"
 #include "coupling/transport/gas_partner.h"
 
 namespace gasgrain {
@@ -54,6 +56,7 @@ class CoupledStep {
               const Effects& effects, const DemScene& scene);
 
   // Couples over the coming interval [s] from gas time `time`. `records`: one per particle.
+  // Throws RunFault on every rank when the gas says that it cannot go on.
   void begin(const ParticleView& particles, const DemRegion& region, ExchangeRecords& records,
              double interval, long step, double time);
 
@@ -68,6 +71,9 @@ class CoupledStep {
 
   // Asks the gas for a checkpoint that belongs to this DEM step; returns when it is whole on disk.
   void checkpoint(long step);
+  // The same of a run that has gone wrong, beside the good ones. Empty, or why there is none (on
+  // rank 0).
+  [[nodiscard]] std::string autopsy(long step);
   // The orderly end: the gas finishes its files and stops.
   void finish();
 
@@ -89,6 +95,8 @@ class CoupledStep {
     long disturbance_cut = 0;  // particles whose own disturbance is beyond what can be undone
   };
   Clamps take_clamps();
+  // What the grains of the last begin() ask of the interval, this rank's share.
+  [[nodiscard]] const IntervalNeed& interval_need() const { return interval_need_; }
   // Bytes of fields that this rank sent and received since the last call.
   [[nodiscard]] long take_bytes();
 
@@ -100,6 +108,7 @@ class CoupledStep {
   void deposit(const ParticleView& particles);
   void exchange_solids(bool fresh);
   void charge_gas(const ParticleView& particles, ExchangeRecords& records);
+  void look_at_interval(const ParticleView& particles, const ExchangeRecords& records);
   void receive_answer();
   void book_where_charged(const ParticleView& particles, ExchangeRecords& records);
   [[nodiscard]] Vec3 charged_to_gas() const;
@@ -117,6 +126,7 @@ class CoupledStep {
   Ledger ledger_;
   CostLedger costs_;
   Clamps clamps_;
+  IntervalNeed interval_need_;
   Report report_;
   double interval_ = 0.0;                     // of the last coupling [s]
   Vec3 expected_in_interval_ = Vec3::Zero();  // by this rank's particles, less what they owed
@@ -126,7 +136,8 @@ class CoupledStep {
   long bytes_ = 0;
   FieldStore fields_;  // over the tile
 
-  std::size_t cost_deposit_, cost_drag_, cost_transport_, cost_wait_, cost_sample_, cost_forces_;
+  std::size_t cost_deposit_, cost_drag_, cost_transport_, cost_wait_, cost_sample_, cost_forces_,
+      cost_look_;
 };
 
 }  // namespace gasgrain

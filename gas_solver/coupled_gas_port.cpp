@@ -6,9 +6,20 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "gas_solver/gas_fault.h"
 #include "gas_solver/io/cost_file.h"
 
 namespace gasgrain {
+namespace {
+
+Report report_of_fault(const Error& fault) {
+  Report report;
+  report.fault = 1;
+  put_text(report.fault_text, fault.what());
+  return report;
+}
+
+}  // namespace
 
 CoupledGas::CoupledGas(const GasInput& input, const GasFiles& files, const Communicator& comm)
     : solver_(input, comm),
@@ -41,7 +52,12 @@ long CoupledGas::snapshots_due() const {
 }
 
 Report CoupledGas::advance() {
-  done_ = port_.advance();
+  try {
+    done_ = port_.advance();
+  } catch (const GasFault& fault) {
+    port_.lend_anyway();
+    return report_of_fault(fault);
+  }
   return port_.report_of(done_);
 }
 
@@ -59,6 +75,15 @@ void CoupledGas::end_interval() {
 
 void CoupledGas::write_checkpoint(long dem_step) {
   solver_.write_checkpoint(fmt::format("{}/checkpoint/gas.{}.h5", out_, dem_step));
+}
+
+Report CoupledGas::write_autopsy(long dem_step) {
+  try {
+    solver_.write_checkpoint(fmt::format("{}/checkpoint/autopsy.gas.{}.h5", out_, dem_step));
+  } catch (const Error& fault) {
+    return report_of_fault(fault);
+  }
+  return {};
 }
 
 void CoupledGas::finish() {
@@ -80,12 +105,19 @@ void CoupledGas::serve(MPI_Comm dem) {
         port_.begin(command);
         if (command.fresh != 0) port_.route(swap_boxes(dem, solver_.own()), dem, Sends::finished);
         port_.take_solids();
-        send_report(local, dem, advance());
-        end_interval();
+        if (const Report report = advance(); report.fault == 0) {
+          send_report(local, dem, report);
+          end_interval();
+        } else {
+          send_report(local, dem, report);
+        }
         break;
       case CommandKind::checkpoint:
         write_checkpoint(command.step);
         send_report(local, dem, Report{});
+        break;
+      case CommandKind::autopsy:
+        send_report(local, dem, write_autopsy(command.step));
         break;
       case CommandKind::finish:
         return finish();

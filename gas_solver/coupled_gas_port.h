@@ -32,11 +32,14 @@ class CoupledGas {
   [[nodiscard]] CouplingPort& port() { return port_; }
   [[nodiscard]] GasSolver& solver() { return solver_; }
   void meet(const DemHello& dem);
+  // When the gas cannot go on, the report says why; the state stays as it was left.
   [[nodiscard]] Report advance();
   // What the interval gave to tell and to write; the DEM side need not wait for it.
   void end_interval();
   // The state that belongs to this DEM step; whole on disk when this returns.
   void write_checkpoint(long dem_step);
+  // The same of a run that has gone wrong, under another name; a report of what stood in its way.
+  [[nodiscard]] Report write_autopsy(long dem_step);
   void finish();
 
  private:

@@ -30,6 +30,8 @@ class CouplingPort {
   void take_solids();
   // Takes the drag, advances over the interval, lends the means.
   GasReport advance();
+  // After an advance() that threw: lends what there is, so that the DEM ranks do not wait for it.
+  void lend_anyway() { send_lent(lent_.without(lent_early)); }
   [[nodiscard]] Report report_of(const GasReport& done) const;
   // Waits until the DEM ranks have what was lent.
   void finish_sends() { transport_.finish_sends(); }

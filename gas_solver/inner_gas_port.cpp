@@ -55,6 +55,9 @@ class InnerGas : public GasPartner {
         case CommandKind::checkpoint:
           report_ = Report{};
           return gas_.write_checkpoint(command.step);
+        case CommandKind::autopsy:
+          report_ = gas_.write_autopsy(command.step);
+          return;
         case CommandKind::finish:
           return gas_.finish();
       }
@@ -85,7 +88,7 @@ class InnerGas : public GasPartner {
   void drag_is_sent() override {
     work([&] {
       report_ = gas_.advance();
-      gas_.end_interval();
+      if (report_.fault == 0) gas_.end_interval();
     });
   }
 

@@ -46,6 +46,8 @@ constexpr Clamp clamps[] = {
     {"moved_cells", "times a cell held more than 80 % of solids: the excess was moved"},
     {"too_dense", "times a grain's void fraction was below 0.2: its drag law was taken at 0.2"},
     {"beyond_walls", "times a grain's centre was outside of the box: its solids went to the wall"},
+    {"interval_too_long",
+     "couplings were too far apart for the grains: run.log names the 'every N'"},
     {"momentum_not_converged", "components of the gas's momentum missed the tolerance"},
     {"pressure_not_converged", "steps of the gas missed the tolerance of continuity"},
     {"outer_not_converged", "steps of the gas used all their outer iterations"},

@@ -16,7 +16,7 @@
 namespace gasgrain {
 
 // Raised with every change of a message's meaning or layout.
-constexpr int protocol_version = 4;
+constexpr int protocol_version = 5;
 
 // Message tags between the programs.
 enum Tag : int { hello_tag = 100, command_tag, report_tag, solids_tag, drag_tag, lent_tag };
@@ -54,7 +54,12 @@ struct GasHello {
   std::array<double, 16> probe_heights{};  // [m]
 };
 
-enum class CommandKind : int { couple = 1, checkpoint, finish };
+enum class CommandKind : int {
+  couple = 1,
+  checkpoint,
+  autopsy,  // a checkpoint of a run that has gone wrong, under a name of its own
+  finish
+};
 
 // From the DEM leader, once per coupled step (and for a checkpoint, and at the end).
 struct Command {
@@ -87,6 +92,9 @@ struct Report {
   double bubble_diameter = 0.0;          // [m]
   double surface_height = 0.0;           // [m]
   std::array<double, 16> probe_pressure{};  // [Pa]
+  // The gas cannot go on, or could not write what it was asked to: why. It stays for an autopsy.
+  int fault = 0;
+  std::array<char, 640> fault_text{};
 };
 
 // Exchanges first words between the leaders and spreads the partner's over the local ranks.

@@ -178,12 +178,13 @@ FixCoupleGas::~FixCoupleGas() {
 }
 
 int FixCoupleGas::setmask() {
-  return FixConst::POST_FORCE | FixConst::END_OF_STEP | FixConst::POST_RUN;
+  return FixConst::PRE_EXCHANGE | FixConst::POST_FORCE | FixConst::END_OF_STEP | FixConst::POST_RUN;
 }
 
 void FixCoupleGas::init() {
   if (atom->radius_flag == 0 || atom->rmass_flag == 0)
     gasgrain::stop_everything("couple/gas needs spheres: 'atom_style granular' (or sphere).");
+  contacts_checked_ = false;
 }
 
 gasgrain::ParticleView FixCoupleGas::particles() const {
@@ -229,6 +230,7 @@ void FixCoupleGas::setup(int) {
     if (gasgrain::session().local.is_root())
       gasgrain::write_run_frame(output_, {update->firststep, update->laststep, start_, update->dt,
                                           universe->version, effects_.text()});
+    check_contacts();
     const bigint step = update->ntimestep;
     if (due(step)) record();
     if (step >= start_ && due(step) && last_coupled_ != step) couple();
@@ -268,6 +270,7 @@ void FixCoupleGas::couple() {
   coupled_->begin(particles(), region, records_, every_ * dt, step,
                   static_cast<double>(step - start_) * dt);
   last_coupled_ = step;
+  watch_interval();
 }
 
 void FixCoupleGas::apply_forces(double share_of_step) {
@@ -293,6 +296,7 @@ void FixCoupleGas::post_run() {
   costs.charge(costs.task("output"), timer->array[TIME_OUTPUT]);
   if (last_coupled_ < 0) return;
   guarded([&] { coupled_->complete(particles(), records_); });
+  tell_of_interval();
   const auto ledger = coupled_->whole_ledger(particles(), records_);
   if (comm->me != 0) return;
   for (FILE* sink : {screen, logfile})

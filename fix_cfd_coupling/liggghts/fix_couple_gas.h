@@ -24,6 +24,7 @@
 #include "coupling/coupled_step.h"
 #include "coupling/exchange/particle_exchange.h"
 #include "coupling/run_history.h"
+#include "coupling/run_watch.h"
 #include "fix_cfd_coupling/liggghts/host_error.h"
 // --
 #include "fix.h"
@@ -38,7 +39,9 @@ class FixCoupleGas : public Fix {
   int setmask() override;
   void post_create() override;
   void init() override;
+  void setup_pre_exchange() override;
   void setup(int) override;
+  void pre_exchange() override;
   void post_force(int) override;
   void end_of_step() override;
   void post_run() override;
@@ -82,7 +85,25 @@ class FixCoupleGas : public Fix {
   void record();
   void apply_forces(double share_of_step);
   void warn_of_later_forces() const;
-  [[nodiscard]] double greatest_overlap() const;
+  // The deepest contact of two grains, over the smaller diameter; walls are not looked at.
+  struct Overlap {
+    double ratio = 0.0;
+    int i = -1;  // the pair's local indices, -1: none touch
+    int j = -1;
+  };
+  [[nodiscard]] Overlap greatest_overlap() const;
+  // The watch over the run: fix_couple_gas_watch.cpp
+  void check_contacts();
+  [[nodiscard]] gasgrain::HostGrains host_grains() const;
+  [[nodiscard]] gasgrain::Moment moment() const;
+  void watch_grains_that_move_on();
+  void watch_state(const Overlap& overlap);
+  void watch_count(double grains);
+  void watch_interval();
+  void tell(const std::string& text) const;
+  void tell_of_interval() const;
+  void put_stray_grains_into_box();
+  [[noreturn]] void stop_with_autopsy(const std::string& fault);
   template <class Action>
   void guarded(Action&& action);
 
@@ -106,6 +127,20 @@ class FixCoupleGas : public Fix {
   std::vector<double> restored_ledger_;  // of a checkpoint, until it is handed on
   gasgrain::Report restored_report_;     // of a checkpoint, rank 0
   std::array<double, 4> shown_{};        // f_ID[1..4]
+
+  // Of the watch
+  struct IntervalWatch {
+    gasgrain::IntervalNeed last;  // of all ranks, of the last coupling
+    long couplings = 0;
+    long too_long = 0;     // couplings, of them
+    double advised = 0.0;  // the interval that would have done for all of them [s]
+  };
+  bool contacts_checked_ = false;  // of this run
+  bool contacts_told_ = false;
+  bool autopsy_ = false;        // the state is being written because the run has gone wrong
+  std::string no_gas_autopsy_;  // why
+  long left_box_ = 0;           // grains of this rank since the last line, where they may
+  IntervalWatch interval_watch_;
 };
 
 // Errors that ranks meet during the run end the launch with one message.
@@ -113,6 +148,8 @@ template <class Action>
 void FixCoupleGas::guarded(Action&& action) {
   try {
     action();
+  } catch (const gasgrain::RunFault& fault) {
+    stop_with_autopsy(fault.what());
   } catch (const gasgrain::Error& e) {
     // Alone, or (an error of a gas inside) with all the others.
     gasgrain::stop_everything(e.what());

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "coupling/exchange/bed_measures.h"
 #include "fix_cfd_coupling/liggghts/fix_couple_gas.h"
@@ -24,7 +25,7 @@ constexpr double bed_height_share = 0.995;
 
 // Columns of history.csv (docs/liggghts.md), in the order of record(); the ledger's
 // and the probes' pressures follow.
-constexpr std::array<const char*, 30> history_columns{"time_s",
+constexpr std::array<const char*, 33> history_columns{"time_s",
                                                       "step",
                                                       "particles",
                                                       "bed_height_m",
@@ -45,6 +46,9 @@ constexpr std::array<const char*, 30> history_columns{"time_s",
                                                       "too_dense",
                                                       "beyond_walls",
                                                       "disturbance_cut",
+                                                      "left_box",
+                                                      "cells_crossed",
+                                                      "interval_too_long",
                                                       "momentum_not_converged",
                                                       "pressure_not_converged",
                                                       "outer_not_converged",
@@ -69,18 +73,26 @@ void FixCoupleGas::open_history() {
 
 // A line of history: the bed and the gas at this moment, before the coupling that starts here.
 void FixCoupleGas::record() {
-  if (update->ntimestep == last_recorded_) return;
-  last_recorded_ = update->ntimestep;
   const gasgrain::Stopwatch watch(coupled_->costs(), coupled_->costs().task("coupling: history"));
   const auto& local = gasgrain::session().local;
+  const Overlap deepest = greatest_overlap();
+  watch_state(deepest);
+  // At the beginning of a further run the line is there, and the grains may be others.
+  if (update->ntimestep == last_recorded_) return;
+  last_recorded_ = update->ntimestep;
   gasgrain::BedMeasures bed(2, domain->boxlo[2], domain->boxhi[2]);
   bed.add(particles());
   local.sum_in_place(bed.values());
-  const double overlap = local.max(greatest_overlap());
+  if (bed.count() > 0.0) check_contacts();
+  watch_count(bed.count());
+  const double overlap = local.max(deepest.ratio);
   const auto clamps = coupled_->take_clamps();
   const long too_dense = local.sum(clamps.too_dense);
   const long beyond_walls = local.sum(clamps.beyond_walls);
   const long disturbance_cut = local.sum(clamps.disturbance_cut);
+  const long left_box = local.sum(std::exchange(left_box_, 0));
+  const double interval = every_ * update->dt;
+  const gasgrain::IntervalNeed& need = interval_watch_.last;
   const long bytes = local.sum(coupled_->take_bytes());
   const auto ledger = coupled_->whole_ledger(particles(), records_);
   const gasgrain::Report& gas = coupled_->report();
@@ -108,6 +120,9 @@ void FixCoupleGas::record() {
                            count(too_dense),
                            count(beyond_walls),
                            count(disturbance_cut),
+                           count(left_box),
+                           need.cells_crossed(interval),
+                           need.too_long(interval) ? 1.0 : 0.0,
                            count(gas.momentum_not_converged),
                            count(gas.pressure_not_converged),
                            count(gas.outer_not_converged),
@@ -123,11 +138,11 @@ void FixCoupleGas::record() {
 }
 
 // Of grains on grains, relative to the smaller diameter; walls are not looked at.
-double FixCoupleGas::greatest_overlap() const {
+FixCoupleGas::Overlap FixCoupleGas::greatest_overlap() const {
   const Pair* pair = force->pair_match("gran", 0);
-  if (pair == nullptr || pair->list == nullptr) return 0.0;
+  if (pair == nullptr || pair->list == nullptr) return {};
   const NeighList& list = *pair->list;
-  double greatest = 0.0;
+  Overlap greatest;
   for (int n = 0; n < list.inum; ++n) {
     const int i = list.ilist[n];
     for (int m = 0; m < list.numneigh[i]; ++m) {
@@ -139,7 +154,8 @@ double FixCoupleGas::greatest_overlap() const {
       const double squared = dx * dx + dy * dy + dz * dz;
       if (squared >= touch * touch) continue;
       const double overlap = touch - std::sqrt(squared);
-      greatest = std::max(greatest, overlap / (2.0 * std::min(atom->radius[i], atom->radius[j])));
+      const double ratio = overlap / (2.0 * std::min(atom->radius[i], atom->radius[j]));
+      if (ratio > greatest.ratio) greatest = {ratio, i, j};
     }
   }
   return greatest;

@@ -14,7 +14,7 @@ namespace LAMMPS_NS {
 namespace {
 
 // Raised with every change of StoredState.
-constexpr bigint stored_format = 3;
+constexpr bigint stored_format = 4;
 
 }  // namespace
 
@@ -72,9 +72,21 @@ int FixCoupleGas::maxsize_restart() {
 // rank 0 has the file.
 void FixCoupleGas::write_restart(FILE* file) {
   // A gas that is still at work must have answered before it is asked for a checkpoint.
-  guarded([&] { coupled_->complete(particles(), records_); });
+  guarded([&] {
+    try {
+      coupled_->complete(particles(), records_);
+    } catch (const gasgrain::RunFault&) {
+      // One that has gone wrong as well has nothing to add to the message.
+      if (!autopsy_) throw;
+    }
+  });
   const auto ledger = coupled_->whole_ledger(particles(), records_).values();
-  guarded([&] { coupled_->checkpoint(step_now()); });
+  guarded([&] {
+    if (autopsy_)
+      no_gas_autopsy_ = coupled_->autopsy(step_now());
+    else
+      coupled_->checkpoint(step_now());
+  });
   if (comm->me != 0) return;
   StoredState state{stored_format,
                     start_,

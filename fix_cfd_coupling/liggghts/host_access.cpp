@@ -4,6 +4,8 @@
 
 #include "input.h"
 #include "modify.h"
+#include "output.h"
+#include "thermo.h"
 
 namespace gasgrain {
 
@@ -15,6 +17,10 @@ struct CommandMapTag {
   using Type = std::map<std::string, CommandCreator>* LAMMPS_NS::Input::*;
   friend Type member_of(CommandMapTag);
 };
+struct LostFlagTag {
+  using Type = int LAMMPS_NS::Thermo::*;
+  friend Type member_of(LostFlagTag);
+};
 
 // The friend must live in namespace gasgrain itself: no unnamed namespace around it.
 template <class Tag, typename Tag::Type member>
@@ -23,6 +29,7 @@ struct Reveal {
 };
 template struct Reveal<FixMapTag, &LAMMPS_NS::Modify::fix_map>;
 template struct Reveal<CommandMapTag, &LAMMPS_NS::Input::command_map>;
+template struct Reveal<LostFlagTag, &LAMMPS_NS::Thermo::lostflag>;
 
 std::map<std::string, FixCreator>& fix_map(LAMMPS_NS::LAMMPS& host) {
   return *(host.modify->*member_of(FixMapTag{}));
@@ -30,6 +37,11 @@ std::map<std::string, FixCreator>& fix_map(LAMMPS_NS::LAMMPS& host) {
 
 std::map<std::string, CommandCreator>& command_map(LAMMPS_NS::LAMMPS& host) {
   return *(host.input->*member_of(CommandMapTag{}));
+}
+
+bool lost_grains_are_errors(LAMMPS_NS::LAMMPS& host) {
+  constexpr int error = 2;  // of thermo.cpp's enum: ignore, warn, error
+  return host.output->thermo != nullptr && host.output->thermo->*member_of(LostFlagTag{}) == error;
 }
 
 }  // namespace gasgrain

@@ -1,4 +1,5 @@
-// The host's maps of styles and commands; they are private members of its classes.
+// The host's maps of styles and commands and what it does about lost grains; they are private
+// members of its classes.
 #pragma once
 
 #include <map>
@@ -15,5 +16,8 @@ using CommandCreator = void (*)(LAMMPS_NS::LAMMPS*, int, char**);
 
 std::map<std::string, FixCreator>& fix_map(LAMMPS_NS::LAMMPS& host);
 std::map<std::string, CommandCreator>& command_map(LAMMPS_NS::LAMMPS& host);
+
+// `thermo_modify lost`: error (true), or ignore, warn: grains may leave the box.
+bool lost_grains_are_errors(LAMMPS_NS::LAMMPS& host);
 
 }  // namespace gasgrain

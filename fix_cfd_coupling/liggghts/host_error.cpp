@@ -110,9 +110,16 @@ std::string hint(const std::string& message) {
                          : fmt::format(" Did you mean \"{}\"?", nearest);
 }
 
+// What goes wrong while a fault's autopsy is written must not hide the fault.
+std::string with_fault(const std::string& message) {
+  const std::string& fault = session().fault;
+  if (fault.empty() || message.compare(0, fault.size(), fault) == 0) return message;
+  return fmt::format("{}\nNo autopsy of it: {}", fault, message);
+}
+
 void print_message(const std::string& message) {
   std::fprintf(stderr, "\ngasgrain-liggghts: error: %s%s%s\n\n", script_place().c_str(),
-               message.c_str(), hint(message).c_str());
+               with_fault(message).c_str(), hint(message).c_str());
   std::fflush(nullptr);
 }
 

@@ -4,6 +4,7 @@
 #include <mpi.h>
 
 #include <csignal>
+#include <string>
 
 #include "coupling/base/communicator.h"
 
@@ -14,6 +15,7 @@ struct HostSession {
   MPI_Comm partner = MPI_COMM_NULL;            // to the gas ranks; null when the DEM runs alone
   bool greeted = false;                        // a fix couple/gas has met the partner
   volatile std::sig_atomic_t stop_wanted = 0;  // SIGUSR1 arrived: checkpoint and end
+  std::string fault;                           // why the run is being stopped; empty: it is not
 };
 
 inline HostSession& session() {

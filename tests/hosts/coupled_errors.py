@@ -89,7 +89,7 @@ class Errors(unittest.TestCase):
         self.assertIn("no partner in this launch", text)
 
     def test_a_lost_particle_ends_both_sides(self):
-        self.expect(["Lost atoms"], steps=100000, dem_ranks=1,
+        self.expect(["a lost particle"], steps=100000, dem_ranks=1,
                     extra="unfix z_lo\nthermo 100")
 
     def killed(self, program):
