@@ -1,0 +1,144 @@
+// Drag whose relaxation time is 1e-3, 1 and 1e3 of the step (of the coupling interval T).
+//
+// A cloud of grains and gas in a periodic box have nothing but each other. a = T / tau, tau = m /
+// K; L: mass of the grains over that of the gas. Whatever a and L, they come together at the
+// velocity that their momentum gives, and nothing is ever faster than the fastest was at first.
+#include <gtest/gtest.h>
+
+#include "tests/stability/explicit_drag.h"
+
+namespace gasgrain::stability {
+namespace {
+
+constexpr const char* effects = "drag koch_hill void_fraction trilinear";
+constexpr double radius = 0.25e-3;
+constexpr int grains_along = 4;
+
+struct Stiffness {
+  double interval_over_relaxation = 1.0;  // a
+  double loading = 1.0;                   // L
+};
+
+struct Suspension {
+  GasInput input = gas_cases::box({grains_along, grains_along, grains_along}, Vec3::Constant(4e-3),
+                                  all_periodic);
+  Cloud cloud;
+  Pace pace;
+  double slowest = 0.0;  // of the grains at first [m/s]
+  double common = 0.0;   // mean velocity at last [m/s]
+
+  // Grains so slow that they stay in their cells and creep. `scatter`: of their velocities,
+  // relative.
+  Suspension(const Stiffness& stiffness, double scatter) {
+    input.gravity = Vec3::Zero();
+    input.tolerance = 1e-12;
+    input.step = 1e9;  // the coupling interval
+    input.courant_max = 1e300;
+    input.viscosity = 1e-3;
+    const double volume = input.grid.hi.prod();
+    const double solids = std::pow(grains_along, 3) * sphere_volume(radius) / volume;
+    const double density = stiffness.loading * input.density * (1 - solids) / solids;
+    cloud = lattice(input.grid, grains_along, radius, density, Vec3::Zero());
+    CoupledBed once(input, effects, pace, cloud);
+    once.advance();
+    pace.interval = stiffness.interval_over_relaxation * cloud.mass[0] / once.records().K(0);
+    const double slow = std::min(1e-3, 1e-2 * input.grid.spacing()[0] / pace.interval);
+    Random random(3);
+    for (std::size_t n = 0; n < cloud.velocity.size(); ++n)
+      cloud.velocity[n] = slow * ((n % 3 == 0 ? 1.0 : 0.0) + scatter * random.between(-1.0, 1.0));
+    common = slow * stiffness.loading / (1.0 + stiffness.loading);
+    slowest = slow;
+  }
+};
+
+const std::vector<Stiffness> hard_cases{{1e-3, 1.0},  {1e-3, 100.0}, {1.0, 1.0},
+                                        {1.0, 100.0}, {1e3, 1.0},    {1e3, 100.0}};
+
+std::string text_of(const Stiffness& s, bool overlapped) {
+  return "a = " + std::to_string(s.interval_over_relaxation) +
+         ", L = " + std::to_string(s.loading) + (overlapped ? ", overlapped" : ", in turn");
+}
+
+TEST(drag_stiffness, a_scattered_cloud_gains_no_energy_and_no_speed_whatever_the_relaxation_time) {
+  for (const Stiffness& stiffness : hard_cases)
+    for (const bool overlapped : {false, true}) {
+      SCOPED_TRACE(text_of(stiffness, overlapped));
+      Suspension scene(stiffness, 1.0);
+      scene.pace.overlapped = overlapped;
+      scene.pace.steps = 4;
+      CoupledBed bed(scene.input, effects, scene.pace, scene.cloud);
+      const double energy = bed.grain_energy();
+      const double speed = bed.fastest_grain();
+      for (int n = 0; n < 200; ++n) {
+        bed.advance();
+        // The carry keeps the balance of each grain, not its energy: round-off of the solver's
+        // tolerance times a L is all that may be added.
+        ASSERT_LE(bed.grain_energy(), energy * (1 + 1e-6)) << n;
+        ASSERT_LE(gas_cases::greatest_speed(bed.gas()), speed * (1 + 1e-6)) << n;
+        ASSERT_LE(bed.fastest_grain(), speed * (1 + 1e-6)) << n;
+        ASSERT_GT(least_void_fraction(bed.gas()), 0.85) << n;
+      }
+      EXPECT_LT(bed.ledger().residual(), 1e-10);
+    }
+}
+
+// Of an even cloud the momentum of the gas is known to round-off, and the way of the slip exactly:
+// exp(-(1 + L) t / tau).
+TEST(drag_stiffness, an_even_cloud_keeps_the_momentum_of_both_and_relaxes_as_the_exact_solution) {
+  for (const Stiffness& stiffness : hard_cases) {
+    SCOPED_TRACE(text_of(stiffness, false));
+    const double a = stiffness.interval_over_relaxation;
+    const double L = stiffness.loading;
+    Suspension scene(stiffness, 0.0);
+    CoupledBed bed(scene.input, effects, scene.pace, scene.cloud);
+    const double before = bed.grain_momentum()[0];
+    const double grains = static_cast<double>(bed.cloud.radius.size());
+    const double gas_mass = grains * bed.cloud.mass[0] / L;
+    const int couplings = 300;
+    double slip = scene.slowest;
+    for (int n = 1; n <= couplings; ++n) {
+      bed.advance();
+      const double of_gas = gas_momentum(bed.gas(), scene.input.density)[0];
+      const double owed = outstanding_carry(bed.records().size(), bed.records())[0];
+      // An impulse of K T u is known to the tolerance of u: a L of the gas's own momentum.
+      ASSERT_NEAR(of_gas + bed.grain_momentum()[0] - owed, before,
+                  (1e-10 + 1e-11 * a * L) * before * n)
+          << n;
+      slip = bed.cloud.velocity[0] - of_gas / gas_mass;
+      ASSERT_LE(std::abs(slip), scene.slowest * (1 + 1e-9)) << n;
+      if (a * (1 + L) > 0.2) continue;
+      // First order in the interval: of each relaxation time the part a (1 + L) / 2.
+      const double passed = n * a * (1 + L);
+      ASSERT_NEAR(slip / scene.slowest, std::exp(-passed), 0.6 * a * (1 + L)) << n;
+    }
+    if (a == 1.0) {
+      EXPECT_NEAR(bed.cloud.velocity[0], scene.common, 1e-6 * scene.common);
+    }
+    EXPECT_LT(std::abs(slip), scene.slowest * (a < 1 && L == 1.0 ? 0.6 : 1e-2));
+  }
+}
+
+TEST(drag_stiffness, explicit_drag_breaks_the_same_bound) {
+  for (const Stiffness& stiffness : hard_cases) {
+    const double growth = stiffness.interval_over_relaxation * (1 + stiffness.loading);
+    Suspension scene(stiffness, 1.0);
+    ExplicitBed bed(scene.input, effects, scene.pace.interval, scene.cloud);
+    const double speed = bed.fastest_grain();
+    double fastest = 0.0;
+    for (int n = 0; n < 6 && fastest < 1e6 * speed; ++n) {
+      bed.advance();
+      fastest = std::max({fastest, bed.fastest_grain(), gas_cases::greatest_speed(bed.gas())});
+    }
+    SCOPED_TRACE(text_of(stiffness, false));
+    std::printf("explicit drag, a (1 + L) = %g: fastest %.3g of the first\n", growth,
+                fastest / speed);
+    if (growth > 10.0) {
+      EXPECT_GT(fastest, 1e3 * speed);
+    } else if (growth < 1.0) {
+      EXPECT_LE(fastest, speed * (1 + 1e-6));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gasgrain::stability
