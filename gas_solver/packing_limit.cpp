@@ -46,6 +46,23 @@ double net_loss(const Domain& domain, const Array3<double>& given, int i, int j,
   return loss / sides_of_a_cell;
 }
 
+// Neighbours differ in colour, so that no sweep takes back what another cell of it has just done: a
+// chequerboard. Round a periodic axis of an odd number of cells that takes a third colour.
+bool closes_oddly(const BoxGrid& grid, int axis) {
+  return grid.periodic[axis] && grid.cells[axis] > 1 && grid.cells[axis] % 2 == 1;
+}
+
+int colours_of(const BoxGrid& grid) {
+  return closes_oddly(grid, 0) || closes_oddly(grid, 1) || closes_oddly(grid, 2) ? 3 : 2;
+}
+
+int colour_of(const BoxGrid& grid, int colours, const Int3& cell) {
+  int sum = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    sum += closes_oddly(grid, axis) && cell[axis] == grid.cells[axis] - 1 ? 2 : cell[axis] & 1;
+  return sum % colours;
+}
+
 int open_sides(const Domain& domain, int i, int j, int k) {
   int open = 0;
   for (int axis = 0; axis < 3; ++axis)
@@ -62,12 +79,13 @@ long move_solids_above_limit(const Domain& domain, Halo& halo, Array3<double>& s
   });
   if (domain.comm().sum(above) == 0) return 0;
 
+  const int colours = colours_of(domain.grid());
   const Array3<double> before = solids;
   Array3<double> given(domain.box());
   for (int sweep = 0; sweep < packing_sweeps; ++sweep) {
-    for (const int colour : {0, 1}) {
+    for (int colour = 0; colour < colours; ++colour) {
       for_each_cell(domain.own(), [&](int i, int j, int k) {
-        if (((i + j + k) & 1) != colour) return;
+        if (colour_of(domain.grid(), colours, {i, j, k}) != colour) return;
         const double excess = before(i, j, k) - net_loss(domain, given, i, j, k) - solids_limit;
         double& own = given(i, j, k);
         if (excess <= 0.0 && own == 0.0) return;

@@ -12,7 +12,8 @@
 //   solids - (sum over the neighbours of g - g_neighbour) / 6 <= limit,
 //
 // equal where g > 0. So g is found instead, by over-relaxation of one half of a chequerboard after
-// the other: for a grain of 10 cells that takes 52 sweeps, handing over round by round 489.
+// the other (of three colours where an odd number of cells is periodic): for a grain of 10 cells
+// that takes 52 sweeps, handing over round by round 489.
 //
 // Why a limit: at eps -> 0 the drag laws and the gas's own inertia lose their meaning; nothing real
 // is denser than `solids_limit` = 0.8 (equal spheres reach 0.74, bidisperse ones about 0.8).

@@ -104,6 +104,26 @@ TEST(packing_limit, gives_gas_to_every_cell_of_a_dense_packing_of_resolved_spher
   }
 }
 
+// Round an odd number of cells a chequerboard does not close.
+TEST(packing_limit, fits_a_bed_into_any_number_of_periodic_cells) {
+  for (const int n : {1, 2, 3, 4, 5, 7})
+    for (unsigned seed = 0; seed < 20; ++seed) {
+      BoxGrid grid;
+      grid.cells = {n, n, n + 3};
+      grid.periodic = {true, true, true};
+      const Domain domain(grid, Communicator(MPI_COMM_SELF));
+      Random random(seed);
+      Array3<double> solids(domain.box());
+      for_each_cell(domain.own(), [&](int i, int j, int k) {
+        solids(i, j, k) = random.between(0.0, 1.0) < 0.3 ? 0.2 : 1.0;
+      });
+      solids(0, 0, 0) = 1.5;
+      const double mean = sum_of_own(domain, solids) / static_cast<double>(domain.own().size());
+      for_each_cell(domain.own(), [&](int i, int j, int k) { solids(i, j, k) *= 0.7 / mean; });
+      expect_moved_and_kept(domain, solids);
+    }
+}
+
 TEST(packing_limit, leaves_a_bed_below_the_limit_bitwise_alone) {
   const Domain domain(grid_of({false, false, false}), Communicator(MPI_COMM_SELF));
   Halo halo(domain);
