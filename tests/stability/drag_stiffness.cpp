@@ -140,5 +140,23 @@ TEST(drag_stiffness, explicit_drag_breaks_the_same_bound) {
   }
 }
 
+// Nothing but round-off moves at first.
+TEST(drag_stiffness, at_rest_nothing_grows_out_of_round_off_but_with_explicit_drag_it_does) {
+  constexpr double round_off = 1e-16;
+  Suspension scene({10.0, 1.0}, 1.0);
+  for (double& v : scene.cloud.velocity) v *= round_off / scene.slowest;
+  CoupledBed ours(scene.input, effects, scene.pace, scene.cloud);
+  ExplicitBed naive(scene.input, effects, scene.pace.interval, scene.cloud);
+  const double speed = ours.fastest_grain();
+  for (int n = 0; n < 1000; ++n) {
+    ours.advance();
+    ASSERT_LE(ours.fastest_grain(), speed * (1 + 1e-6)) << n;
+  }
+  for (int n = 0; n < 12; ++n) naive.advance();
+  std::printf("out of %g m/s: %.2g m/s after 1000 steps, with explicit drag %.2g m/s after 12\n",
+              round_off, ours.fastest_grain(), naive.fastest_grain());
+  EXPECT_GT(naive.fastest_grain(), 1e9 * speed);
+}
+
 }  // namespace
 }  // namespace gasgrain::stability
