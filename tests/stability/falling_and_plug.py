@@ -11,10 +11,10 @@ import unittest
 
 import numpy as np
 
-from hard_scene import (COUPLE, GRAVITY, NOZZLE, STEP, HardCase, energies, expect_balances, scene_mass)
+from hard_scene import (COUPLE, GRAVITY, NOZZLE, PROBE_DEPTH, STEP, HardCase, energies, expect_balances, scene_mass)
 
 HEAVY = scene_mass * GRAVITY / 0.022**2   # pressure that carries all grains [Pa]
-AT_REST = 1.2 * GRAVITY * 0.1             # of the gas at the probe [Pa]
+AT_REST = 1.2 * GRAVITY * PROBE_DEPTH     # of the gas at the probe [Pa]
 EVERY = 25                                # DEM steps from coupling to coupling
 HIGH_UP = [("region bed block 0 0.022 0 0.022 0 0.033", "region bed block 0 0.022 0 0.022 0.055 0.088")]
 LANDS = 5300                              # step, from 55 mm

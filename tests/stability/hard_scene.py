@@ -12,6 +12,8 @@ from coupled_launch import COUPLE, Scene  # noqa: E402  (takes the build folder 
 
 GRAVITY = 9.81
 STEP = 2e-5  # of the scene's DEM [s]
+# Of the layer of cells that [output] pressure_probes = [0.01] reads, below the outlet [m]
+PROBE_DEPTH = 0.11 - 0.00825
 GRAIN = 2500 * math.pi / 6 * 2.5e-3**3  # mass of one of the scene's [kg]
 scene_mass = 8 * 8 * 12 * GRAIN
 # As it stands in the scene's gas.toml, for a test to replace.

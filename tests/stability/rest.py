@@ -9,7 +9,7 @@ import unittest
 
 import numpy as np
 
-from hard_scene import GRAIN, GRAVITY, NOZZLE, STEP, HardCase, expect_balances
+from hard_scene import GRAIN, GRAVITY, NOZZLE, PROBE_DEPTH, STEP, HardCase, expect_balances
 
 STEPS = 100000
 TENTH = STEPS // 10
@@ -38,9 +38,9 @@ class Rest(unittest.TestCase):
         speeds = [speed for time, speed in case.gas_speed if time > 0.3 * STEPS * STEP]
         self.assertLess(max(speeds), 1e-3)
         # Gas at rest carries itself alone.
-        at_rest = 1.2 * GRAVITY * 0.1
+        at_rest = 1.2 * GRAVITY * PROBE_DEPTH
         for row in case.rows[3 * len(case.rows) // 10:]:
-            self.assertAlmostEqual(row["p_0.01m_Pa"], at_rest, delta=0.03 * at_rest)
+            self.assertAlmostEqual(row["p_0.01m_Pa"], at_rest, delta=1e-3 * at_rest)
 
 
 if __name__ == "__main__":
