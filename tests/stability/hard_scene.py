@@ -41,7 +41,7 @@ class HardCase:
     id x y z vx vy vz)."""
 
     def __init__(self, in_script=(), in_gas=(), couple=COUPLE, steps=1000, dump_every=0, files=(),
-                 dem_ranks=1, gas_ranks=1, expect=0, **marks):
+                 dem_ranks=1, gas_ranks=1, expect=0, read_gas=None, **marks):
         if dump_every:
             marks["extra"] = marks.get("extra", "") + "\n" + DUMP.format(every=dump_every)
         with Scene(couple=couple, steps=steps, **marks) as scene:
@@ -56,6 +56,7 @@ class HardCase:
             self.rows = scene.history() if history.exists() else []
             dump = scene.folder / "grains.dump"
             self.frames = list(read_dump(dump)) if dump.exists() else []
+            self.gas_data = read_gas(scene.out / "gas.h5") if read_gas else None
             self.gas_speed = greatest_gas_speeds(scene.out / "gas.h5")
 
     def vectors(self, name):
