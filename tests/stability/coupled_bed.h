@@ -20,8 +20,12 @@ inline constexpr Sides all_periodic{&periodic_side, &periodic_side, &periodic_si
 // Does the gas's work when the particles' side has sent what it needs.
 class GasInProcess : public GasPartner {
  public:
-  explicit GasInProcess(const GasInput& input)
-      : solver_(input, self()), port_(solver_, input, "") {}
+  explicit GasInProcess(const GasInput& input) : solver_(input, self()), port_(solver_, input, "") {
+    MPI_Comm_dup(MPI_COMM_SELF, &channel_);
+  }
+  ~GasInProcess() override { MPI_Comm_free(&channel_); }
+  GasInProcess(const GasInProcess&) = delete;
+  GasInProcess& operator=(const GasInProcess&) = delete;
 
   GasHello greet(const DemHello& mine) override {
     port_.meet(mine);
@@ -31,8 +35,8 @@ class GasInProcess : public GasPartner {
     if (command.kind == CommandKind::couple) port_.begin(command);
   }
   RouteTransport connect(const BoxGrid& grid, const IndexBox& tile) override {
-    port_.route({tile}, MPI_COMM_SELF, Sends::started);
-    return {MPI_COMM_SELF, make_routes(grid, tile, {solver_.own()}, false), false, Sends::started};
+    port_.route({tile}, channel_, Sends::started);
+    return {channel_, make_routes(grid, tile, {solver_.own()}, false), false, Sends::started};
   }
   void solids_are_sent() override { port_.take_solids(); }
   void drag_is_sent() override { report_ = port_.report_of(port_.advance()); }
@@ -46,6 +50,7 @@ class GasInProcess : public GasPartner {
   GasSolver solver_;
   CouplingPort port_;
   Report report_;
+  MPI_Comm channel_ = MPI_COMM_NULL;  // so that messages of one bed do not meet those of another
 };
 
 inline std::vector<std::string> words_of(const std::string& text) {
@@ -77,6 +82,15 @@ class CoupledBed {
         records_(effects_.layout(pace.overlapped)) {
     records_.resize(cloud.radius.size());
   }
+  // Takes an answer that is still on its way, unless the bed has failed.
+  ~CoupledBed() {
+    try {
+      if (!advancing_) coupled_.complete(cloud.view(), records_);
+    } catch (const Error&) {
+    }
+  }
+  CoupledBed(const CoupledBed&) = delete;
+  CoupledBed& operator=(const CoupledBed&) = delete;
 
   // To be changed between couplings as a test likes; neither of grains that come and go.
   Cloud cloud;
@@ -85,6 +99,7 @@ class CoupledBed {
 
   // A coupling and the grains' steps until the next one.
   void advance() {
+    advancing_ = true;
     wrap();
     DemRegion region;
     region.lo = coupled_.grid().lo;
@@ -95,6 +110,7 @@ class CoupledBed {
     ++coupling_;
     const double dt = pace_.interval / pace_.steps;
     for (int step = 0; step < pace_.steps; ++step) take_step(dt);
+    advancing_ = false;
   }
 
   [[nodiscard]] const Report& report() const { return coupled_.report(); }
@@ -166,6 +182,7 @@ class CoupledBed {
   CoupledStep coupled_;
   ExchangeRecords records_;
   long coupling_ = 0;
+  bool advancing_ = false;
   std::vector<double> force_, torque_;
 };
 

@@ -5,51 +5,12 @@
 // velocity that their momentum gives, and nothing is ever faster than the fastest was at first.
 #include <gtest/gtest.h>
 
-#include "tests/stability/explicit_drag.h"
+#include "tests/stability/periodic_cloud.h"
 
 namespace gasgrain::stability {
 namespace {
 
-constexpr const char* effects = "drag koch_hill void_fraction trilinear";
-constexpr double radius = 0.25e-3;
-constexpr int grains_along = 4;
-
-struct Stiffness {
-  double interval_over_relaxation = 1.0;  // a
-  double loading = 1.0;                   // L
-};
-
-struct Suspension {
-  GasInput input = gas_cases::box({grains_along, grains_along, grains_along}, Vec3::Constant(4e-3),
-                                  all_periodic);
-  Cloud cloud;
-  Pace pace;
-  double slowest = 0.0;  // of the grains at first [m/s]
-  double common = 0.0;   // mean velocity at last [m/s]
-
-  // Grains so slow that they stay in their cells and creep. `scatter`: of their velocities,
-  // relative.
-  Suspension(const Stiffness& stiffness, double scatter) {
-    input.gravity = Vec3::Zero();
-    input.tolerance = 1e-12;
-    input.step = 1e9;  // the coupling interval
-    input.courant_max = 1e300;
-    input.viscosity = 1e-3;
-    const double volume = input.grid.hi.prod();
-    const double solids = std::pow(grains_along, 3) * sphere_volume(radius) / volume;
-    const double density = stiffness.loading * input.density * (1 - solids) / solids;
-    cloud = lattice(input.grid, grains_along, radius, density, Vec3::Zero());
-    CoupledBed once(input, effects, pace, cloud);
-    once.advance();
-    pace.interval = stiffness.interval_over_relaxation * cloud.mass[0] / once.records().K(0);
-    const double slow = std::min(1e-3, 1e-2 * input.grid.spacing()[0] / pace.interval);
-    Random random(3);
-    for (std::size_t n = 0; n < cloud.velocity.size(); ++n)
-      cloud.velocity[n] = slow * ((n % 3 == 0 ? 1.0 : 0.0) + scatter * random.between(-1.0, 1.0));
-    common = slow * stiffness.loading / (1.0 + stiffness.loading);
-    slowest = slow;
-  }
-};
+constexpr const char* effects = PeriodicCloud::effects;
 
 const std::vector<Stiffness> hard_cases{{1e-3, 1.0},  {1e-3, 100.0}, {1.0, 1.0},
                                         {1.0, 100.0}, {1e3, 1.0},    {1e3, 100.0}};
@@ -63,9 +24,8 @@ TEST(drag_stiffness, a_scattered_cloud_gains_no_energy_and_no_speed_whatever_the
   for (const Stiffness& stiffness : hard_cases)
     for (const bool overlapped : {false, true}) {
       SCOPED_TRACE(text_of(stiffness, overlapped));
-      Suspension scene(stiffness, 1.0);
+      PeriodicCloud scene(stiffness, 1.0);
       scene.pace.overlapped = overlapped;
-      scene.pace.steps = 4;
       CoupledBed bed(scene.input, effects, scene.pace, scene.cloud);
       const double energy = bed.grain_energy();
       const double speed = bed.fastest_grain();
@@ -89,13 +49,13 @@ TEST(drag_stiffness, an_even_cloud_keeps_the_momentum_of_both_and_relaxes_as_the
     SCOPED_TRACE(text_of(stiffness, false));
     const double a = stiffness.interval_over_relaxation;
     const double L = stiffness.loading;
-    Suspension scene(stiffness, 0.0);
+    PeriodicCloud scene(stiffness, 0.0);
     CoupledBed bed(scene.input, effects, scene.pace, scene.cloud);
     const double before = bed.grain_momentum()[0];
     const double grains = static_cast<double>(bed.cloud.radius.size());
     const double gas_mass = grains * bed.cloud.mass[0] / L;
     const int couplings = 300;
-    double slip = scene.slowest;
+    double slip = scene.mean_speed;
     for (int n = 1; n <= couplings; ++n) {
       bed.advance();
       const double of_gas = gas_momentum(bed.gas(), scene.input.density)[0];
@@ -105,23 +65,23 @@ TEST(drag_stiffness, an_even_cloud_keeps_the_momentum_of_both_and_relaxes_as_the
                   (1e-10 + 1e-11 * a * L) * before * n)
           << n;
       slip = bed.cloud.velocity[0] - of_gas / gas_mass;
-      ASSERT_LE(std::abs(slip), scene.slowest * (1 + 1e-9)) << n;
+      ASSERT_LE(std::abs(slip), scene.mean_speed * (1 + 1e-9)) << n;
       if (a * (1 + L) > 0.2) continue;
       // First order in the interval: of each relaxation time the part a (1 + L) / 2.
       const double passed = n * a * (1 + L);
-      ASSERT_NEAR(slip / scene.slowest, std::exp(-passed), 0.6 * a * (1 + L)) << n;
+      ASSERT_NEAR(slip / scene.mean_speed, std::exp(-passed), 0.6 * a * (1 + L)) << n;
     }
     if (a == 1.0) {
       EXPECT_NEAR(bed.cloud.velocity[0], scene.common, 1e-6 * scene.common);
     }
-    EXPECT_LT(std::abs(slip), scene.slowest * (a < 1 && L == 1.0 ? 0.6 : 1e-2));
+    EXPECT_LT(std::abs(slip), scene.mean_speed * (a < 1 && L == 1.0 ? 0.6 : 1e-2));
   }
 }
 
 TEST(drag_stiffness, explicit_drag_breaks_the_same_bound) {
   for (const Stiffness& stiffness : hard_cases) {
     const double growth = stiffness.interval_over_relaxation * (1 + stiffness.loading);
-    Suspension scene(stiffness, 1.0);
+    PeriodicCloud scene(stiffness, 1.0);
     ExplicitBed bed(scene.input, effects, scene.pace.interval, scene.cloud);
     const double speed = bed.fastest_grain();
     double fastest = 0.0;
@@ -143,8 +103,8 @@ TEST(drag_stiffness, explicit_drag_breaks_the_same_bound) {
 // Nothing but round-off moves at first.
 TEST(drag_stiffness, at_rest_nothing_grows_out_of_round_off_but_with_explicit_drag_it_does) {
   constexpr double round_off = 1e-16;
-  Suspension scene({10.0, 1.0}, 1.0);
-  for (double& v : scene.cloud.velocity) v *= round_off / scene.slowest;
+  PeriodicCloud scene({10.0, 1.0}, 1.0);
+  for (double& v : scene.cloud.velocity) v *= round_off / scene.mean_speed;
   CoupledBed ours(scene.input, effects, scene.pace, scene.cloud);
   ExplicitBed naive(scene.input, effects, scene.pace.interval, scene.cloud);
   const double speed = ours.fastest_grain();
