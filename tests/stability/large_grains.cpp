@@ -1,5 +1,5 @@
-// Grains 1, 2 and 5 cells wide, wherever they are: in a cell, on a corner, on their way across a
-// face that is a periodic side.
+// Grains 1, 2 and 5 cells wide, wherever they are: in a cell, on a face, an edge, a corner, on
+// their way across a face that is a periodic side.
 //
 // Bounds: the void fraction stays above what the gas bears; neither it nor the drag moves at once
 // when a face is crossed; a grain in a stream feels the drag of its law. The negative controls are
@@ -30,7 +30,8 @@ double held_drag(int across, int side, double reynolds, const std::string& rest,
 }
 
 const Vec3 in_a_cell(0.5, 0.5, 0.5);
-const Vec3 on_a_corner(0.0, 0.0, 0.0);
+const std::array<Vec3, 3> on_a_face_an_edge_a_corner{Vec3(0.0, 0.5, 0.5), Vec3(0.0, 0.0, 0.5),
+                                                     Vec3(0.0, 0.0, 0.0)};
 
 // What a grain of the images beside it holds up has to pass between them: creeping gas that is
 // driven through feels up to some d / side more.
@@ -38,17 +39,22 @@ double law_bound(int side, double reynolds) {
   return reynolds < 1.0 ? 1.0 + 1.0 / side : 1.025;
 }
 
-TEST(large_grains, feel_the_drag_of_the_law_within_a_cell_and_on_a_corner) {
+TEST(large_grains, feel_the_drag_of_the_law_in_a_cell_on_a_face_an_edge_and_a_corner) {
   for (const int across : {1, 2, 5})
     for (const double reynolds : {0.5, 20.0}) {
       const int side = across == 5 ? 8 : 12;
       const double inside = held_drag(across, side, reynolds, "kernel", in_a_cell);
-      const double corner = held_drag(across, side, reynolds, "kernel", on_a_corner);
-      std::printf("%d cells across, Re %g: %.4f and %.4f of the law's drag\n", across, reynolds,
-                  inside, corner);
       EXPECT_GT(inside, 1.0) << across;
       EXPECT_LT(inside, law_bound(side, reynolds)) << across;
-      EXPECT_NEAR(corner, inside, 0.01) << across;
+      double furthest = 0.0;
+      for (const Vec3& place : on_a_face_an_edge_a_corner) {
+        if (across == 5 && place[2] != 0.0) continue;  // cells so small that the corner will do
+        const double there = held_drag(across, side, reynolds, "kernel", place);
+        furthest = std::max(furthest, std::abs(there - inside));
+      }
+      std::printf("%d cells across, Re %g: %.4f of the law's drag, elsewhere within %.4f\n", across,
+                  reynolds, inside, furthest);
+      EXPECT_LT(furthest, 0.01) << across;
     }
 }
 

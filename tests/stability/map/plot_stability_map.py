@@ -60,7 +60,7 @@ def draw(data, picture):
         name = f"{row['scheme'].replace(' overlapped', ', overlapped').replace(' in turn', ', in turn')}, L = {row['second']:g}"
         if name not in rows:
             rows.append(name)
-        text = "x 1e6" if row["measure"] > 1e4 else f"{row['measure']:.3g}"
+        text = "> 1e6" if row["measure"] > 1e4 else f"{row['measure']:.3g}"
         cells[(name, row["hardness"])] = (text, row["verdict"])
     rows.sort(reverse=True, key=lambda name: (name.startswith("explicit"), name))
     rows.reverse()
