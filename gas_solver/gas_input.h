@@ -12,7 +12,7 @@
 
 namespace gasgrain {
 
-enum class PressureMethod { automatic, hypre, fftw };
+enum class PressureMethod { automatic, multigrid, hypre, fftw };
 enum class TimeScheme { implicit_euler, crank_nicolson };
 enum class PressureVelocity { projection, simple, simplec };
 enum class GasLaw { constant_density, ideal_gas };

@@ -71,6 +71,7 @@ void read_time(InputTable table, bool alone, GasInput& input) {
 void read_solver(InputTable table, GasInput& input) {
   input.pressure = named_choice(table, "pressure", input.pressure,
                                 {{"auto", PressureMethod::automatic},
+                                 {"multigrid", PressureMethod::multigrid},
                                  {"hypre", PressureMethod::hypre},
                                  {"fftw", PressureMethod::fftw}});
   int axes_with_outlets = 0;
@@ -81,7 +82,7 @@ void read_solver(InputTable table, GasInput& input) {
     table.fault(
         "pressure",
         "solver.pressure = \"fftw\" cannot solve with outlets on the sides of more than one "
-        "axis: use \"auto\" or \"hypre\".");
+        "axis: use \"auto\" or \"multigrid\".");
   input.tolerance = table.number("tolerance", input.tolerance, Range::within(1e-14, 1e-2), "1");
   input.convection = named_choice(table, "convection", input.convection,
                                   {{"upwind", Convection::upwind},

@@ -66,21 +66,50 @@ double ConjugateGradients::decades() const {
   return converged() ? 0.0 : std::min(most, 0.5 * std::log10(square_ / square_end_));
 }
 
+namespace {
+
+// Of a correction in full: the field that is also lent to the product of matrix and direction.
+class FullPreconditioner : public SplitPreconditioner {
+ public:
+  FullPreconditioner(const Domain& domain, const ConjugateGradients::Preconditioner& precondition,
+                     Array3<double>& z)
+      : domain_(domain), precondition_(precondition), z_(z) {}
+
+  double correction(const Array3<double>& residual) override {
+    precondition_(residual, z_);
+    return domain_.comm().sum(dot(residual.data(), z_.data(), residual.size()));
+  }
+  void turn(Array3<double>& direction, double share) override {
+    for_each_row(domain_.own(), [&](int i, int count, int j, int k) {
+      double* p = &direction(i, j, k);
+      const double* z = &z_(i, j, k);
+      for (int n = 0; n < count; ++n) p[n] = z[n] + share * p[n];
+    });
+  }
+
+ private:
+  const Domain& domain_;
+  const ConjugateGradients::Preconditioner& precondition_;
+  Array3<double>& z_;
+};
+
+}  // namespace
+
 int ConjugateGradients::iterate(PressureSystem& system, int limit,
                                 const Preconditioner& precondition) {
+  FullPreconditioner full(domain_, precondition, auxiliary_);
+  return iterate(system, limit, full);
+}
+
+int ConjugateGradients::iterate(PressureSystem& system, int limit,
+                                SplitPreconditioner& preconditioner) {
   double product_before = 0;
   int iterations = 0;
   while (square_ > square_end_ && iterations < limit) {  // not when it is no number either
-    precondition(residual_, auxiliary_);
-    const double product =
-        domain_.comm().sum(dot(residual_.data(), auxiliary_.data(), residual_.size()));
+    const double product = preconditioner.correction(residual_);
     const double share = iterations == 0 ? 0.0 : product / product_before;
     product_before = product;
-    for_each_row(domain_.own(), [&](int i, int count, int j, int k) {
-      double* p = &direction_(i, j, k);
-      const double* z = &auxiliary_(i, j, k);
-      for (int n = 0; n < count; ++n) p[n] = z[n] + share * p[n];
-    });
+    preconditioner.turn(direction_, share);
     halo_.exchange({&direction_});
     advance(system, product / apply(system));
     ++iterations;

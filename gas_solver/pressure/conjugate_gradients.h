@@ -12,6 +12,17 @@
 
 namespace gasgrain {
 
+// A preconditioner that keeps its correction z for a residual r to itself; symmetric and positive
+// definite.
+class SplitPreconditioner {
+ public:
+  virtual ~SplitPreconditioner() = default;
+  // Finds z; returns r z over all ranks. Collective.
+  virtual double correction(const Array3<double>& residual) = 0;
+  // direction = z + share direction, own cells.
+  virtual void turn(Array3<double>& direction, double share) = 0;
+};
+
 class ConjugateGradients {
  public:
   // Sets the second to an approximate solution for the first, own cells both; symmetric and
@@ -24,6 +35,7 @@ class ConjugateGradients {
   void begin(PressureSystem& system, double tolerance);
   // Until then, or for `limit` iterations; returns the number. Collective.
   int iterate(PressureSystem& system, int limit, const Preconditioner& precondition);
+  int iterate(PressureSystem& system, int limit, SplitPreconditioner& preconditioner);
   // Adds the constant to the solution that makes the residual sum to 0: where gas flows in and out
   // the whole then balances to round-off, however coarse the tolerance. It is the Galerkin
   // correction by the constant vector, which brings the solution nearer in the energy norm; the

@@ -1,19 +1,20 @@
 // Solves the pressure system: with FFTW directly where the coefficients change along one axis only,
-// else by conjugate gradients preconditioned with FFTW on the means of the layers or with hypre's
-// multigrid, whichever serves the bed better.
+// else by conjugate gradients preconditioned with the multigrid. hypre's multigrid, and FFTW on the
+// means of the layers, are preconditioners by choice: build/bench/pressure_bench measured neither
+// faster in any bed.
 #pragma once
 
 #include <memory>
 
 #include "gas_solver/gas_input.h"
 #include "gas_solver/pressure/pressure_system.h"
-#include "gas_solver/pressure/solver_choice.h"
 
 namespace gasgrain {
 
 class ConjugateGradients;
 class FftwLayers;
 class HyprePfmg;
+class Multigrid;
 
 class PressureSolver {
  public:
@@ -31,17 +32,14 @@ class PressureSolver {
  private:
   void set_layers(const PressureSystem& system, int axis);
   int iterate(PressureSystem& system);
-  int with_fftw(PressureSystem& system, int axis, int limit);
-  int try_fftw(PressureSystem& system, int axis, int limit);
-  int with_hypre(PressureSystem& system);
   int go_on(PressureSystem& system, int limit);
 
   const Domain& domain_;
   PressureMethod method_;
-  SolverChoice choice_;
-  bool ended_with_fftw_ = false;
   std::unique_ptr<FftwLayers> fftw_;
   std::unique_ptr<HyprePfmg> hypre_;
+  std::unique_ptr<Multigrid> multigrid_;
+  bool multigrid_is_set_ = false;  // for the system being solved
   std::unique_ptr<ConjugateGradients> gradients_;
 };
 

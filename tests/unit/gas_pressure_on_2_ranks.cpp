@@ -1,2 +1,3 @@
 // The pressure systems of gas_pressure_cases.h on 2 ranks.
 #include "tests/unit/gas_pressure_cases.h"
+#include "tests/unit/gas_pressure_multigrid_cases.h"
