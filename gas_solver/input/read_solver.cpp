@@ -55,8 +55,7 @@ void read_time(InputTable table, bool alone, GasInput& input) {
   input.courant_max = table.number("courant_max", courant, Range::positive(), "1");
   table.note_default("courant_max", fmt::format("{}, {} of \"crank_nicolson\"", input.courant_max,
                                                 courant_crank_nicolson));
-  input.substeps_max =
-      table.integer("substeps_max", input.substeps_max, Range::within(1, 1000000));
+  input.substeps_max = table.integer("substeps_max", input.substeps_max, Range::within(1, 1000000));
   const std::optional<double> end = alone ? std::nullopt : std::optional<double>(0.0);
   input.end = table.number("end", end, Range::not_negative(), "s");
   table.note_default("end", "required alone");
