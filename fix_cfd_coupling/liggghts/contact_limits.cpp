@@ -76,6 +76,7 @@ struct Body {
   int type = 0;
   double radius = none;  // [m]
   double mass = none;    // [kg]
+  bool single = false;   // the only grain of its type
 
   [[nodiscard]] bool is_wall() const { return mass == none; }
 };
@@ -168,9 +169,13 @@ std::vector<Body> smallest_grains(LAMMPS& host, const Communicator& local) {
   }
   MPI_Allreduce(MPI_IN_PLACE, smallest.data(), static_cast<int>(smallest.size()), MPI_DOUBLE,
                 MPI_MIN, local.handle());
+  std::vector<double> counts(atom.ntypes, 0.0);
+  for (int i = 0; i < atom.nlocal; ++i) counts[atom.type[i] - 1] += 1.0;
+  local.sum_in_place(counts);
   std::vector<Body> grains;
   for (int t = 0; t < atom.ntypes; ++t)
-    if (smallest[2 * t + 1] < none) grains.push_back({t + 1, smallest[2 * t], smallest[2 * t + 1]});
+    if (counts[t] > 0.0)
+      grains.push_back({t + 1, smallest[2 * t], smallest[2 * t + 1], counts[t] == 1.0});
   return grains;
 }
 
@@ -185,8 +190,15 @@ std::vector<Body> walls(LAMMPS& host) {
   }
   std::vector<Body> bodies;
   for (const int type : types)
-    if (type >= 1 && type <= host.atom->ntypes) bodies.push_back({type, none, none});
+    if (type >= 1 && type <= host.atom->ntypes) bodies.push_back({type, none, none, false});
   return bodies;
+}
+
+// A bed without an integrator stays as it is, whatever its contacts.
+bool grains_move(LAMMPS& host) {
+  for (int n = 0; n < host.modify->nfix; ++n)
+    if (host.modify->fix[n]->time_integrate != 0) return true;
+  return false;
 }
 
 // Of a free fall through the box, and of the fastest grain [m/s].
@@ -231,7 +243,7 @@ ContactVerdict judge_contacts(LAMMPS& host, const Communicator& local) {
   ContactVerdict verdict;
   const std::vector<Body> grains = smallest_grains(host, local);
   verdict.had_grains = !grains.empty();
-  if (grains.empty() || host.force->pair == nullptr) return verdict;
+  if (grains.empty() || host.force->pair == nullptr || !grains_move(host)) return verdict;
   auto* pair = static_cast<PairGran*>(host.force->pair_match("gran", 0));
   const NormalModel model = pair == nullptr ? NormalModel::unread : model_of(*pair);
   const double speed = expected_speed(host, local);
@@ -249,8 +261,11 @@ ContactVerdict judge_contacts(LAMMPS& host, const Communicator& local) {
   Collision shortest;
   for (const Body& a : grains)
     for (const Body& b : partners)
-      if (const Collision met = reader.collide(a, b); met.duration < shortest.duration)
+      if (const Collision met = reader.collide(a, b);
+          met.duration < shortest.duration && !(a.single && !b.is_wall() && a.type == b.type))
         shortest = met;
+
+  if (shortest.duration == none) return verdict;  // a grain alone
 
   const double dt = host.update->dt;
   const double share = dt / shortest.duration;

@@ -289,6 +289,19 @@ class DemStep(unittest.TestCase):
                replaced("in.liggghts", "timestep 2e-5", "timestep 2e-4")]
         self.refused([r"a grain of type 1 \(.*\) and a wall of type 2 touch for 0.00028\d s"], *two)
 
+    def test_a_bed_that_nothing_moves_and_a_grain_alone_may_take_any_step(self):
+        slow = replaced("in.liggghts", "timestep 2e-5", "timestep 2e-4")
+        frozen = replaced("in.liggghts", "fix motion all nve/sphere\n", "")
+        self.assertEqual(self.told([slow, frozen]), (0, ""))
+
+        def alone(scene):
+            script = scene.folder / "in.liggghts"
+            text = script.read_text().replace("create_atoms 1 region bed",
+                                              "create_atoms 1 single 0.011 0.011 0.08 units box")
+            script.write_text("".join(line for line in text.splitlines(keepends=True)
+                                      if "wall/gran" not in line))
+        self.assertEqual(self.told([slow, alone]), (0, ""))
+
     def test_grains_that_come_later_are_looked_at_when_they_come(self):
         # No grain at the beginning of the run.
         pour = """\
