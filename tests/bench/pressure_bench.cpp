@@ -3,7 +3,8 @@
 // 36, with an outlet at its top. Bubbles rise through a bed whose packing scatters by 10 %; each
 // solve is of the next step, from 0 until the residual is 1e-8 of the source's in the 2-norm.
 //
-//   pressure_bench [--quick] [--cells N...] [--solves N]     on any number of ranks
+//   pressure_bench [--quick] [--cells N...] [--solves N] [--contrasts C...]   on any number of
+//   ranks
 //
 // A contrast of 1 is one coefficient everywhere, which FFTW solves directly. A method that needs
 // too many iterations is left out on the larger grids. Progress goes to stderr.
@@ -21,6 +22,7 @@
 #include <mpi.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <limits>
@@ -233,7 +235,7 @@ struct Point {
   double time;
 };
 
-void run(const std::vector<double>& sizes, int solves) {
+void run(const std::vector<double>& sizes, int solves, const std::vector<std::string>& contrasts) {
   const Communicator comm(MPI_COMM_WORLD);
   const auto say = [&](std::FILE* where, const std::string& text) {
     if (!comm.is_root()) return;
@@ -248,6 +250,9 @@ void run(const std::vector<double>& sizes, int solves) {
       "bytes a cell | time by the best's: median | of sums | time ~ N^ |\n"
       "|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (const Bed& bed : beds) {
+    if (!contrasts.empty() &&
+        std::find(contrasts.begin(), contrasts.end(), bed.name) == contrasts.end())
+      continue;
     std::array<std::vector<Point>, methods.size()> points;
     std::array<bool, methods.size()> hopeless{};
     for (const double size : sizes) {
@@ -312,8 +317,12 @@ int main(int argc, char** argv) {
   app.add_option("--solves", solves, "at least, of which the median is told")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  std::vector<std::string> contrasts;
+  std::vector<std::string> names;
+  for (const gasgrain::Bed& bed : gasgrain::beds) names.emplace_back(bed.name);
+  app.add_option("--contrasts", contrasts, "these alone")->check(CLI::IsMember(names));
   CLI11_PARSE(app, argc, argv);
-  gasgrain::run(sizes, solves);
+  gasgrain::run(sizes, solves, contrasts);
   MPI_Finalize();
   return 0;
 }
