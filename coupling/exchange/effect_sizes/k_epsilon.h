@@ -17,7 +17,8 @@ struct SizeKEpsilon {
   static constexpr std::string_view name = "turbulence k_epsilon";
   static constexpr std::string_view number_name = "rho u l / mu";
   static constexpr std::string_view threshold =
-      "rho u l / mu above 2300 and stress / drag of 0.05 (Pope 2000); thesis table 10.2: deactivated";
+      "rho u l / mu above 2300 and stress / drag of 0.05 (Pope 2000); thesis table 10.2: "
+      "deactivated";
 
   static constexpr double laminar = 2300.0;
 
