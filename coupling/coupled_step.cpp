@@ -55,12 +55,21 @@ CoupledStep::CoupledStep(const Communicator& local, std::unique_ptr<GasPartner> 
       forces_(effects, properties_),
       ledger_(effects),
       cost_deposit_(costs_.task("coupling: void fraction")),
-      cost_drag_(costs_.task("coupling: drag law")),
       cost_transport_(costs_.task("coupling: transport")),
       cost_wait_(costs_.task("coupling: waiting for the gas")),
       cost_sample_(costs_.task("coupling: sampling")),
-      cost_forces_(costs_.task("coupling: forces")),
-      cost_look_(costs_.task("coupling: looking for faults")) {}
+      cost_look_(costs_.task("coupling: looking for faults")) {
+  make_tasks();
+}
+
+// What is off has none.
+void CoupledStep::make_tasks() {
+  if (effects_.drag) cost_drag_ = costs_.task("coupling: drag law");
+  if (effects_.any_reacts()) cost_charge_ = costs_.task("coupling: drag of the gas");
+  for (const std::string& name : effects_.names())
+    cost_forces_.push_back(costs_.task("coupling: force " + name));
+  cost_forces_.push_back(costs_.task("coupling: forces, every step"));
+}
 
 // At the first coupling that has particles. What grains come later, greater ones too, finds the
 // method and its diameter as they are.
@@ -150,8 +159,13 @@ void CoupledStep::begin(const ParticleView& particles, const DemRegion& region,
     }
   }
   const Stopwatch watch(costs_, cost_sample_);
+  std::vector<double> seconds;
   ledger_.add_work(set_gas_at_particles(particles, weights_, effects_, properties_, fields_,
-                                        interval_, records));
+                                        interval_, records, &seconds));
+  for (std::size_t n = 0; n < seconds.size(); ++n) {
+    costs_.charge(cost_forces_[n], seconds[n]);
+    costs_.charge(cost_sample_, -seconds[n]);
+  }
   if (overlapped_) return;
   book_expected(particles, effects_, interval_, records);
   expected_in_interval_ = -outstanding_carry(particles.count, records);
@@ -183,14 +197,15 @@ void CoupledStep::exchange_solids(bool fresh) {
 
 void CoupledStep::charge_gas(const ParticleView& particles, ExchangeRecords& records) {
   if (!effects_.any_reacts()) return;
-  {
+  if (effects_.drag) {
     const Stopwatch watch(costs_, cost_drag_);
-    if (effects_.drag) {
-      const DragRefresh met =
-          refresh_drag(particles, weights_, effects_, properties_, fields_, records);
-      clamps_.too_dense += static_cast<long>(met.too_dense);
-      clamps_.disturbance_cut += static_cast<long>(met.disturbance_cut);
-    }
+    const DragRefresh met =
+        refresh_drag(particles, weights_, effects_, properties_, fields_, records);
+    clamps_.too_dense += static_cast<long>(met.too_dense);
+    clamps_.disturbance_cut += static_cast<long>(met.disturbance_cut);
+  }
+  {
+    const Stopwatch watch(costs_, cost_charge_);
     deposit_drag(particles, weights_, effects_, frame_.grid.cell_volume(), interval_, fields_,
                  records);
   }
@@ -223,7 +238,9 @@ void CoupledStep::receive_answer() {
 void CoupledStep::complete(const ParticleView& particles, ExchangeRecords& records) {
   if (!answer_to_come_) return;
   receive_answer();
-  if (effects_.any_reacts()) book_where_charged(particles, records);
+  if (!effects_.any_reacts()) return;
+  const Stopwatch watch(costs_, cost_sample_);
+  book_where_charged(particles, records);
 }
 
 // The gas answered for particles where they were at the coupling; some of them are on other ranks
@@ -268,8 +285,11 @@ Vec3 CoupledStep::charged_to_gas() const {
 
 void CoupledStep::apply(const ParticleView& particles, ExchangeRecords& records,
                         const HostForces& host, double dt, double share) {
-  const Stopwatch watch(costs_, cost_forces_);
+  const WallClock clock;
   forces_.apply(particles, records, host, dt, share);
+  const double seconds = clock.seconds();
+  for (std::size_t n = 0; n < cost_forces_.size(); ++n)
+    costs_.charge(cost_forces_[n], seconds * forces_.costs().share(n));
 }
 
 CoupledStep::Clamps CoupledStep::take_clamps() {
@@ -296,9 +316,9 @@ std::string CoupledStep::autopsy(long step) {
   return partner_->receive_report().fault_text.data();
 }
 
-void CoupledStep::finish() {
+std::string CoupledStep::finish() {
   transport_.finish_sends();
-  partner_->send_command(Command{});
+  return partner_->finish();
 }
 
 Ledger CoupledStep::whole_ledger(const ParticleView& particles,

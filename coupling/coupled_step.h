@@ -20,6 +20,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "coupling/base/cost_ledger.h"
 #include "coupling/exchange/applied_forces.h"
@@ -74,8 +75,9 @@ class CoupledStep {
   // The same of a run that has gone wrong, beside the good ones. Empty, or why there is none (on
   // rank 0).
   [[nodiscard]] std::string autopsy(long step);
-  // The orderly end: the gas finishes its files and stops.
-  void finish();
+  // The orderly end: the gas finishes its files and stops. Returns what it spent its time on, a
+  // JSON object (on rank 0; empty elsewhere).
+  std::string finish();
 
   // The ledger of all ranks. Collective.
   [[nodiscard]] Ledger whole_ledger(const ParticleView& particles,
@@ -105,6 +107,7 @@ class CoupledStep {
   [[nodiscard]] IndexBox tile_of(const DemRegion& region) const;
   void make_tile(const IndexBox& tile);
   void settle(const ParticleView& particles, const ExchangeRecords& records);
+  void make_tasks();
   void deposit(const ParticleView& particles);
   void exchange_solids(bool fresh);
   void charge_gas(const ParticleView& particles, ExchangeRecords& records);
@@ -136,8 +139,10 @@ class CoupledStep {
   long bytes_ = 0;
   FieldStore fields_;  // over the tile
 
-  std::size_t cost_deposit_, cost_drag_, cost_transport_, cost_wait_, cost_sample_, cost_forces_,
-      cost_look_;
+  std::size_t cost_deposit_, cost_transport_, cost_wait_, cost_sample_, cost_look_;
+  std::size_t cost_drag_ = 0;
+  std::size_t cost_charge_ = 0;
+  std::vector<std::size_t> cost_forces_;  // by ForceCosts' rows
 };
 
 }  // namespace gasgrain

@@ -74,6 +74,7 @@ void CoupledGas::end_interval() {
 }
 
 void CoupledGas::write_checkpoint(long dem_step) {
+  const Stopwatch watch(solver_.costs(), cost_output_);
   solver_.write_checkpoint(fmt::format("{}/checkpoint/gas.{}.h5", out_, dem_step));
 }
 
@@ -86,9 +87,14 @@ Report CoupledGas::write_autopsy(long dem_step) {
   return {};
 }
 
-void CoupledGas::finish() {
+std::string CoupledGas::finish() {
   port_.finish_sends();
-  write_costs(solver_.costs(), out_, solver_.domain().comm());
+  return told_costs(solver_.costs(), solver_.domain().comm());
+}
+
+void CoupledGas::tell(MPI_Comm dem, const Report& report) {
+  const Stopwatch watch(solver_.costs(), port_.cost_transport());
+  send_report(solver_.domain().comm(), dem, report);
 }
 
 void CoupledGas::serve(MPI_Comm dem) {
@@ -106,10 +112,10 @@ void CoupledGas::serve(MPI_Comm dem) {
         if (command.fresh != 0) port_.route(swap_boxes(dem, solver_.own()), dem, Sends::finished);
         port_.take_solids();
         if (const Report report = advance(); report.fault == 0) {
-          send_report(local, dem, report);
+          tell(dem, report);
           end_interval();
         } else {
-          send_report(local, dem, report);
+          tell(dem, report);
         }
         break;
       case CommandKind::checkpoint:
@@ -120,7 +126,7 @@ void CoupledGas::serve(MPI_Comm dem) {
         send_report(local, dem, write_autopsy(command.step));
         break;
       case CommandKind::finish:
-        return finish();
+        return send_text(local, dem, finish());
     }
   }
 }

@@ -40,9 +40,11 @@ class CoupledGas {
   void write_checkpoint(long dem_step);
   // The same of a run that has gone wrong, under another name; a report of what stood in its way.
   [[nodiscard]] Report write_autopsy(long dem_step);
-  void finish();
+  // Prints the table of costs; returns the costs as a JSON object (rank 0's; empty elsewhere).
+  std::string finish();
 
  private:
+  void tell(MPI_Comm dem, const Report& report);
   // Multiples of [output] every that have been reached.
   [[nodiscard]] long snapshots_due() const;
 

@@ -66,7 +66,8 @@ CouplingPort::CouplingPort(GasSolver& solver, const GasInput& input, const std::
       halo_(solver.domain()),
       cost_transport_(solver.costs().task("transport")),
       cost_wait_(solver.costs().task("waiting for the particles")),
-      cost_solids_(solver.costs().task("solids above the limit")) {}
+      cost_solids_(solver.costs().task("solids above the limit")),
+      cost_fields_(solver.costs().task("fields of the grains")) {}
 
 GasHello CouplingPort::hello() const {
   GasHello hello = hello_;
@@ -122,6 +123,24 @@ void CouplingPort::take_solids() {
     const Stopwatch watch(solver_.costs(), cost_wait_);
     transport_.receive(taken, solids_tag);
   }
+  Array3<double> solids = solids_in_cells();
+  {
+    const Stopwatch watch(solver_.costs(), cost_solids_);
+    moved_cells_ = local_.sum(move_solids_above_limit(solver_.domain(), halo_, solids));
+  }
+  {
+    const Stopwatch watch(solver_.costs(), cost_fields_);
+    Array3<double>& void_fraction = fields_.scalar(GasField::void_fraction);
+    for_each_cell(solver_.own(),
+                  [&](int i, int j, int k) { void_fraction(i, j, k) = 1.0 - solids(i, j, k); });
+    solver_.set_void_fraction(void_fraction);
+  }
+  send_lent(command_.fresh != 0 ? lent_ : lent_.common(lent_early));
+}
+
+// The solid fraction of each cell, and the means over the grains that the DEM ranks ask back.
+Array3<double> CouplingPort::solids_in_cells() {
+  const Stopwatch watch(solver_.costs(), cost_fields_);
   const Array3<double>& solid_volume = fields_.scalar(GasField::solid_volume);
   if (lent_.has(GasField::solids_velocity))
     for (int d = 0; d < 3; ++d) {
@@ -142,15 +161,7 @@ void CouplingPort::take_solids() {
     const double fraction = solid_volume(i, j, k) / cell;
     solids(i, j, k) = plane_of_spheres_ > 0 ? solids_in_space(fraction) : fraction;
   });
-  {
-    const Stopwatch watch(solver_.costs(), cost_solids_);
-    moved_cells_ = local_.sum(move_solids_above_limit(solver_.domain(), halo_, solids));
-  }
-  Array3<double>& void_fraction = fields_.scalar(GasField::void_fraction);
-  for_each_cell(solver_.own(),
-                [&](int i, int j, int k) { void_fraction(i, j, k) = 1.0 - solids(i, j, k); });
-  solver_.set_void_fraction(void_fraction);
-  send_lent(command_.fresh != 0 ? lent_ : lent_.common(lent_early));
+  return solids;
 }
 
 void CouplingPort::take_drag() {
@@ -160,6 +171,7 @@ void CouplingPort::take_drag() {
     const Stopwatch watch(solver_.costs(), cost_wait_);
     transport_.receive(taken, drag_tag);
   }
+  const Stopwatch watch(solver_.costs(), cost_fields_);
   solver_.set_drag(fields_.scalar(GasField::drag_coefficient),
                    fields_.vector(GasField::drag_source));
 }

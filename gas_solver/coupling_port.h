@@ -36,10 +36,12 @@ class CouplingPort {
   // Waits until the DEM ranks have what was lent.
   void finish_sends() { transport_.finish_sends(); }
 
-  // Task of the cost ledger for time that is the DEM side's.
+  // Tasks of the cost ledger: time that is the DEM side's, and that of messages.
   [[nodiscard]] std::size_t cost_wait() const { return cost_wait_; }
+  [[nodiscard]] std::size_t cost_transport() const { return cost_transport_; }
 
  private:
+  [[nodiscard]] Array3<double> solids_in_cells();
   void take_drag();
   void send_lent(FieldSet fields);
 
@@ -59,6 +61,7 @@ class CouplingPort {
   std::size_t cost_transport_;
   std::size_t cost_wait_;
   std::size_t cost_solids_;
+  std::size_t cost_fields_;
 };
 
 }  // namespace gasgrain

@@ -62,6 +62,8 @@ GasReport advance_or_leave_autopsy(GasSolver& gas, double interval, const std::s
 int run_alone(const Options& options, const GasInput& input, const Communicator& comm) {
   catch_stop_wishes(comm.is_root());
   GasSolver gas(input, comm);
+  CostLedger& costs = gas.costs();
+  const std::size_t output = costs.task("output");
   if (comm.is_root()) std::filesystem::create_directories(options.files.out);
   MPI_Barrier(comm.handle());
   const bool restarted = !options.files.restart.empty();
@@ -94,6 +96,7 @@ int run_alone(const Options& options, const GasInput& input, const Communicator&
         advance_or_leave_autopsy(gas, std::min(next, input.end) - gas.time(), options.files.out);
     // A run that goes on from a checkpoint at this time has learnt nothing either.
     gas.forget();
+    const Stopwatch watch(costs, output);
     wish = static_cast<int>(comm.max(stop_wish()));
     if (checkpoints_due(gas, input) > written && goes_on() && wish == 0) {
       gas.write_checkpoint(checkpoint);
@@ -108,8 +111,11 @@ int run_alone(const Options& options, const GasInput& input, const Communicator&
   }
   progress.finish();
   if (comm.is_root() && !warnings.text().empty()) progress.tell(warnings.text());
-  gas.write_checkpoint(checkpoint);
-  write_costs(gas.costs(), options.files.out, comm);
+  {
+    const Stopwatch watch(costs, output);
+    gas.write_checkpoint(checkpoint);
+  }
+  write_costs(costs, options.files.out, comm);
   if (wish == 0 || !goes_on()) return 0;
   if (comm.is_root())
     progress.tell(fmt::format("stopped at t = {:.6g} of {} s: go on with --restart {}", gas.time(),

@@ -35,6 +35,8 @@ GasSolver::GasSolver(const GasInput& input, const Communicator& comm)
       probes_(domain_, input_.pressure_probes),
       means_(domain_, input_),
       void_fraction_to_(domain_.box(), 1.0),
+      task_setup_(costs_.task("setup")),
+      task_boundaries_(costs_.task("boundaries")),
       task_momentum_(costs_.task("momentum")),
       task_pressure_(costs_.task("pressure")),
       task_means_(costs_.task("means")),
@@ -53,6 +55,7 @@ GasSolver::GasSolver(const GasInput& input, const Communicator& comm)
   }
   if (!input_.mass_sources.empty())
     set_mass_source(mass_source_field(domain_, input_.mass_sources));
+  costs_.charge(task_setup_, costs_.age() - costs_.named());
 }
 
 void GasSolver::set_void_fraction(const Array3<double>& eps) {
@@ -116,20 +119,29 @@ GasReport GasSolver::advance(double interval) {
     if (at_end < 1) means_.add_velocity(levels_.velocity_before(state_), (1 - at_end) * weight);
     means_.add_pressure(state_, weight);
   }
-  means_.end(state_.velocity, interval);
   report.time = time_;
-  report.drag_impulse = means_.drag_force(state_) * interval;
+  {
+    const Stopwatch watch(costs_, task_means_);
+    means_.end(state_.velocity, interval);
+    report.drag_impulse = means_.drag_force(state_) * interval;
+  }
   measure(report);
   return report;
 }
 
-void GasSolver::step(double dt, double share, GasReport& report) {
+const std::vector<InflowFace>& GasSolver::begin_step(double dt, double share) {
+  const Stopwatch watch(costs_, task_boundaries_);
   levels_.begin(state_, dt, void_fraction_to_, share);
   const std::vector<InflowFace>& inflow = inflow_.at(time_, state_.density);
   for (const InflowFace& face : inflow)
     state_.velocity[axis_of(face.side)](face.face[0], face.face[1], face.face[2]) =
         is_high(face.side) ? -face.volume_flux : face.volume_flux;
   fill_velocity_layers();
+  return inflow;
+}
+
+void GasSolver::step(double dt, double share, GasReport& report) {
+  const std::vector<InflowFace>& inflow = begin_step(dt, share);
   if (turbulence_) {
     const Stopwatch watch(costs_, task_turbulence_);
     const TurbulenceReport done = turbulence_->update(state_, dt, inflow);
@@ -137,6 +149,7 @@ void GasSolver::step(double dt, double share, GasReport& report) {
     report.turbulence_not_converged += done.not_converged;
   }
   predict_and_project(dt, inflow, report);
+  const Stopwatch watch(costs_, task_measures_);
   require_finite(domain_, state_, time_);
   report.substeps += 1;
   report.step = std::min(report.step, dt);
@@ -183,6 +196,7 @@ void GasSolver::fill_velocity_layers() {
 }
 
 double GasSolver::next_step(double left, double interval) {
+  const Stopwatch watch(costs_, task_boundaries_);
   inflow_.at(time_ + input_.step, state_.density);
   const CourantRates rates{courant_rate(domain_, state_.velocity),
                            domain_.comm().max(inflow_.courant_rate())};

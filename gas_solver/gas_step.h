@@ -110,12 +110,14 @@ class GasSolver {
   // What the solvers learnt is forgotten: the next step is that of a run which begins here.
   void forget() { projection_.forget(); }
 
-  // Seconds by task: "turbulence", "momentum", "pressure", "means", "measures".
+  // Seconds by task: "setup", "boundaries", "turbulence", "momentum", "pressure", "means",
+  // "measures".
   [[nodiscard]] CostLedger& costs() { return costs_; }
 
  private:
   // `share`: of what is left of the interval.
   void step(double step, double share, GasReport& report);
+  const std::vector<InflowFace>& begin_step(double step, double share);
   void predict_and_project(double step, const std::vector<InflowFace>& inflow, GasReport& report);
   [[nodiscard]] double next_step(double left, double interval);
   void fill_velocity_layers();
@@ -124,6 +126,7 @@ class GasSolver {
   template <class File>
   void exchange_with(File& file);
 
+  CostLedger costs_;  // the first: its age is the solver's
   GasInput input_;
   Domain domain_;
   Halo halo_;
@@ -142,7 +145,8 @@ class GasSolver {
   bool has_void_fraction_ = false;
   Array3<double> void_fraction_to_;  // at the interval's end
 
-  CostLedger costs_;
+  std::size_t task_setup_;
+  std::size_t task_boundaries_;
   std::size_t task_turbulence_ = 0;
   std::size_t task_momentum_;
   std::size_t task_pressure_;

@@ -59,7 +59,7 @@ class InnerGas : public GasPartner {
           report_ = gas_.write_autopsy(command.step);
           return;
         case CommandKind::finish:
-          return gas_.finish();
+          costs_ = gas_.finish();
       }
     });
   }
@@ -92,6 +92,11 @@ class InnerGas : public GasPartner {
     });
   }
 
+  std::string finish() override {
+    send_command(Command{});
+    return costs_;
+  }
+
   // The fields have come, so that what was sent is with all ranks, or will be as soon as they look:
   // nobody goes on to the grains with an unfinished message.
   Report receive_report() override {
@@ -119,6 +124,7 @@ class InnerGas : public GasPartner {
   OwnCommunicator own_;      // for the gas
   CoupledGas gas_;
   Report report_;
+  std::string costs_;  // at the end
   Clock::time_point idle_since_ = Clock::now();
 };
 

@@ -1,4 +1,4 @@
-// What the wall time of a run was spent on: the two sides' ledgers made one.
+// What the wall time of a run was spent on.
 #pragma once
 
 #include <filesystem>
@@ -6,10 +6,10 @@
 
 namespace gasgrain {
 
-// Merges ledger.dem.json and ledger.gas.json into ledger.json,
+// Adds the launch's wall time to ledger.json, which the programs wrote,
 //   {"wall_s": .., "dem": {..}, "gas": {..}},
-// removes the parts, and returns the table of costs for the summary. A side that wrote none is left
-// out; without either there is no ledger.json and the table is empty.
-std::string merge_ledgers(const std::filesystem::path& results, double wall_s);
+// and returns the tables of costs for the summary. A run that did not come to its orderly end wrote
+// none: the text is then empty.
+std::string finish_ledger(const std::filesystem::path& results, double wall_s);
 
 }  // namespace gasgrain

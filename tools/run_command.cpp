@@ -122,7 +122,7 @@ int run(const RunOptions& options) {
   progress.end_line();
   launch.kill_all();
   const int status = launch.poll().value_or(1);
-  const std::string costs = merge_ledgers(results.path(), progress.wall_s());
+  const std::string costs = finish_ledger(results.path(), progress.wall_s());
 
   if (stopping.begun()) {
     fmt::print("stopped after {}\n{}\n", clock_text(progress.wall_s()),

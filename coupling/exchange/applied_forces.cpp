@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "coupling/base/error.h"
 
@@ -48,7 +49,8 @@ ForceLoop::ForceLoop(const Effects& effects, const GasProperties& gas)
     : effects_(effects),
       gas_(gas),
       own_drag_(effects.drag && effects.own_drag()),
-      added_mass_(named<ForceVirtualMass>(effects) != nullptr) {
+      added_mass_(named<ForceVirtualMass>(effects) != nullptr),
+      costs_(effects.names().size()) {
   if (const auto* basset = named<ForceBasset>(effects)) basset_ = *basset;
   clear();
 }
@@ -72,14 +74,22 @@ void ForceLoop::clear() {
 void ForceLoop::apply(const ParticleView& particles, ExchangeRecords& records,
                       const HostForces& host, double dt, double share) {
   if (basset_) make_memory(dt);
+  costs_.begin_step();
   for (std::size_t begin = 0; begin < particles.count; begin += particles_at_once) {
     const Block block{begin, std::min(begin + particles_at_once, particles.count)};
+    if (block.begin == 0 && costs_.wants_parts())
+      time_solve(block, particles, records, host.force, dt);
+    costs_.start();
     add_steady(block, records, host, share * dt);
+    costs_.pass_done(costs_.row_of_every_step());
     add_motions(block, particles, records, host, share * dt);
     if (added_mass_ || basset_)
       solve_motion<true>(block, particles, records, host.force, dt, share);
     else if (own_drag_)
       solve_motion<false>(block, particles, records, host.force, dt, share);
+    else
+      continue;
+    costs_.solve_done();
   }
 }
 
@@ -111,8 +121,10 @@ void ForceLoop::add_motions(Block block, const ParticleView& particles, Exchange
     std::visit(
         [&](const auto& chosen) {
           using Chosen = std::decay_t<decltype(chosen)>;
-          if constexpr (Chosen::kind == ForceKind::motion || Chosen::kind == ForceKind::torque)
+          if constexpr (Chosen::kind == ForceKind::motion || Chosen::kind == ForceKind::torque) {
             applied_.work[n] += add_motion(chosen, block, particles, records, host, duration);
+            costs_.pass_done(n);
+          }
         },
         force);
     ++n;
@@ -216,6 +228,61 @@ void ForceLoop::solve_motion(Block block, const ParticleView& particles, Exchang
     if (std::holds_alternative<ForceVirtualMass>(chosen)) book(virtual_mass_work);
     if (std::holds_alternative<ForceBasset>(chosen)) book(history_work);
     ++n;
+  }
+}
+
+// The same loop over copies, with the effects that are solved together switched on one by one.
+void ForceLoop::time_solve(Block block, const ParticleView& particles,
+                           const ExchangeRecords& records, const double* force, double dt) {
+  const std::size_t count = block.end - block.begin;
+  ParticleView some = particles;
+  some.count = count;
+  some.velocity += 3 * block.begin;
+  some.radius += block.begin;
+  some.mass += block.begin;
+  const auto seconds = [&](ForceLoop& trial) {
+    constexpr int repeats = 3;  // the shortest is that which nothing interrupted
+    double shortest = std::numeric_limits<double>::max();
+    for (int n = 0; n < repeats; ++n) {
+      ExchangeRecords copies(records.layout());
+      copies.resize(count);
+      std::copy(records.row(block.begin), records.row(block.end), copies.row(0));
+      std::vector<double> forces(force + 3 * block.begin, force + 3 * block.end);
+      const WallClock clock;
+      if (added_mass_ || basset_)
+        trial.solve_motion<true>({0, count}, some, copies, forces.data(), dt, 1.0);
+      else
+        trial.solve_motion<false>({0, count}, some, copies, forces.data(), dt, 1.0);
+      shortest = std::min(shortest, clock.seconds());
+    }
+    return shortest;
+  };
+  ForceLoop trial = *this;
+  trial.own_drag_ = trial.added_mass_ = false;
+  trial.memory_.reset();
+  double before = 0.0;
+  const auto switched_on = [&](std::size_t row) {
+    const double now = seconds(trial);
+    // What is too short for the clock, of a handful of particles, has all of the pass.
+    constexpr double tick = 1e-9;
+    costs_.add_part(row, std::max(now - before, before > 0.0 ? 0.0 : tick));
+    before = std::max(now, before);
+  };
+  std::size_t row = 0;
+  if (effects_.drag) {
+    if ((trial.own_drag_ = own_drag_)) switched_on(row);
+    ++row;
+  }
+  for (const Force& chosen : effects_.forces) {
+    if (std::holds_alternative<ForceVirtualMass>(chosen)) {
+      trial.added_mass_ = true;
+      switched_on(row);
+    }
+    if (std::holds_alternative<ForceBasset>(chosen)) {
+      trial.memory_ = memory_;
+      switched_on(row);
+    }
+    ++row;
   }
 }
 

@@ -22,6 +22,7 @@
 
 #include "coupling/exchange/effects.h"
 #include "coupling/exchange/exchange_record.h"
+#include "coupling/exchange/force_costs.h"
 #include "coupling/exchange/particle_view.h"
 
 namespace gasgrain {
@@ -52,6 +53,8 @@ class ForceLoop {
 
   [[nodiscard]] const AppliedForces& applied() const { return applied_; }
   void clear();
+  // What share of apply()'s time each of Effects::names() has had so far.
+  [[nodiscard]] const ForceCosts& costs() const { return costs_; }
 
  private:
   // Particles begin <= p < end.
@@ -69,6 +72,9 @@ class ForceLoop {
   void solve_motion(Block block, const ParticleView& particles, ExchangeRecords& records,
                     double* force, double dt, double share);
 
+  void time_solve(Block block, const ParticleView& particles, const ExchangeRecords& records,
+                  const double* force, double dt);
+
   void make_memory(double dt);
 
   Effects effects_;
@@ -79,6 +85,7 @@ class ForceLoop {
   std::optional<BassetKernel> memory_;
   double dt_of_memory_ = 0.0;  // [s]
   AppliedForces applied_;
+  ForceCosts costs_;
 };
 
 }  // namespace gasgrain

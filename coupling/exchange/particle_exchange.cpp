@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/base/cost_ledger.h"
 #include "coupling/exchange/drag/polydisperse.h"
 
 namespace gasgrain {
@@ -216,8 +217,10 @@ void book_expected(const ParticleView& particles, const Effects& effects, double
 std::vector<double> set_gas_at_particles(const ParticleView& particles,
                                          const ParticleWeights& weights, const Effects& effects,
                                          const GasProperties& gas, const FieldStore& fields,
-                                         double interval, ExchangeRecords& records) {
+                                         double interval, ExchangeRecords& records,
+                                         std::vector<double>* seconds) {
   const RecordLayout& layout = records.layout();
+  if (seconds != nullptr) seconds->assign(effects.names().size(), 0.0);
   const auto sample = [&](GasField field, auto&& put) {
     if (effects.lent().has(field)) weights.sample(fields.vector(field), put);
   };
@@ -236,8 +239,11 @@ std::vector<double> set_gas_at_particles(const ParticleView& particles,
     std::visit(
         [&](const auto& chosen) {
           using Chosen = std::decay_t<decltype(chosen)>;
-          if constexpr (Chosen::kind == ForceKind::steady)
+          if constexpr (Chosen::kind == ForceKind::steady) {
+            const WallClock clock;
             work[n] = interval * add_steady<Chosen>(particles, weights, gas, fields, records);
+            if (seconds != nullptr) (*seconds)[n] = clock.seconds();
+          }
         },
         force);
     ++n;

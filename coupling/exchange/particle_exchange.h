@@ -56,11 +56,13 @@ void book_expected(const ParticleView& particles, const Effects& effects, double
 
 // What the forces of the interval [s] need of the gas, sampled at the particles. Returns for each
 // of Effects::names() the sum over particles and components of |F| interval [N s] where the force
-// is a steady one, 0 elsewhere.
+// is a steady one, 0 elsewhere. `seconds`: receives, for the same names, the time
+// that the steady forces took.
 std::vector<double> set_gas_at_particles(const ParticleView& particles,
                                          const ParticleWeights& weights, const Effects& effects,
                                          const GasProperties& gas, const FieldStore& fields,
-                                         double interval, ExchangeRecords& records);
+                                         double interval, ExchangeRecords& records,
+                                         std::vector<double>* seconds = nullptr);
 
 // Sum of the particles' carry [N s].
 Vec3 outstanding_carry(std::size_t count, const ExchangeRecords& records);

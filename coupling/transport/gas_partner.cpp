@@ -15,6 +15,10 @@ class RemoteGas : public GasPartner {
     return {partner_, make_routes(grid, tile, swap_boxes(partner_, tile), false), false};
   }
   Report receive_report() override { return gasgrain::receive_report(local_, partner_); }
+  std::string finish() override {
+    send_command(Command{});
+    return receive_text(local_, partner_);
+  }
 
  private:
   Communicator local_;

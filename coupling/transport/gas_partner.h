@@ -5,6 +5,7 @@
 #include <mpi.h>
 
 #include <memory>
+#include <string>
 
 #include "coupling/base/communicator.h"
 #include "coupling/transport/protocol.h"
@@ -30,6 +31,8 @@ class GasPartner {
   virtual void drag_is_sent() {}
   // When the answer's fields are here. The report is rank 0's; other ranks get an empty one.
   virtual Report receive_report() = 0;
+  // The orderly end. What the gas spent its time on, a JSON object (rank 0's; empty elsewhere).
+  virtual std::string finish() = 0;
 };
 
 // The gas program of the launch, over the intercommunicator to it. Waits asleep.

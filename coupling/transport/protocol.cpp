@@ -119,6 +119,23 @@ Report receive_report(const Communicator& local, MPI_Comm partner) {
   return local.is_root() ? receive_from_leader<Report>(partner, report_tag) : Report{};
 }
 
+void send_text(const Communicator& local, MPI_Comm partner, const std::string& text) {
+  if (!local.is_root()) return;
+  send_to_leader(partner, text.size(), text_tag);
+  MPI_Request request = MPI_REQUEST_NULL;
+  MPI_Isend(text.data(), static_cast<int>(text.size()), MPI_CHAR, 0, text_tag, partner, &request);
+  wait_sleeping(request);
+}
+
+std::string receive_text(const Communicator& local, MPI_Comm partner) {
+  if (!local.is_root()) return "";
+  std::string text(receive_from_leader<std::size_t>(partner, text_tag), '\0');
+  MPI_Request request = MPI_REQUEST_NULL;
+  MPI_Irecv(text.data(), static_cast<int>(text.size()), MPI_CHAR, 0, text_tag, partner, &request);
+  wait_sleeping(request);
+  return text;
+}
+
 std::vector<IndexBox> swap_boxes(MPI_Comm partner, const IndexBox& mine) {
   static_assert(sizeof(IndexBox) == 6 * sizeof(int));
   int partners = 0;

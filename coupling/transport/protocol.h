@@ -19,7 +19,15 @@ namespace gasgrain {
 constexpr int protocol_version = 5;
 
 // Message tags between the programs.
-enum Tag : int { hello_tag = 100, command_tag, report_tag, solids_tag, drag_tag, lent_tag };
+enum Tag : int {
+  hello_tag = 100,
+  command_tag,
+  report_tag,
+  solids_tag,
+  drag_tag,
+  lent_tag,
+  text_tag
+};
 
 // First words of the DEM program.
 struct DemHello {
@@ -111,6 +119,9 @@ Command receive_command(const Communicator& local, MPI_Comm partner);
 void send_report(const Communicator& local, MPI_Comm partner, const Report& report);
 // On the DEM leader; other ranks get an empty one.
 Report receive_report(const Communicator& local, MPI_Comm partner);
+// From leader to leader, of any length; other ranks get an empty one.
+void send_text(const Communicator& local, MPI_Comm partner, const std::string& text);
+std::string receive_text(const Communicator& local, MPI_Comm partner);
 
 // Every rank tells its box to all ranks of the partner. Collective over both programs.
 std::vector<IndexBox> swap_boxes(MPI_Comm partner, const IndexBox& mine);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 
 #include "coupling/base/error.h"
@@ -17,7 +16,6 @@
 #include "modify.h"
 #include "neighbor.h"
 #include "signal_handling.h"
-#include "timer.h"
 #include "universe.h"
 #include "update.h"
 #include "write_restart.h"
@@ -40,6 +38,9 @@ int whole_number(const char* text, const char* keyword, long least) {
     gasgrain::fail("{} {}: must be a whole number, at least {}.\n{}", keyword, text, least, usage);
   return static_cast<int>(value);
 }
+
+// Every DEM step: whether some rank was asked to stop. The ranks wait for each other here.
+constexpr const char* in_step_task = "coupling: DEM ranks in step";
 
 bool mode_is_overlapped(const std::string& mode) {
   const std::vector<std::string> modes{"in_turn", "overlapped"};
@@ -169,12 +170,7 @@ FixCoupleGas::~FixCoupleGas() {
   atom->delete_callback(id, 0);
   atom->delete_callback(id, 1);
   if (!coupled_) return;
-  auto& costs = coupled_->costs();
-  costs.charge(costs.task("walls, integration, other"), costs.unnamed());
-  const std::string ledger = costs.json(gasgrain::session().local);
-  if (gasgrain::session().local.is_root())
-    std::ofstream(output_ + "/ledger.dem.json") << ledger << '\n';
-  guarded([&] { coupled_->finish(); });
+  guarded([&] { tell_costs(); });
 }
 
 int FixCoupleGas::setmask() {
@@ -182,6 +178,7 @@ int FixCoupleGas::setmask() {
 }
 
 void FixCoupleGas::init() {
+  begin_setup_costs();
   if (atom->radius_flag == 0 || atom->rmass_flag == 0)
     gasgrain::stop_everything("couple/gas needs spheres: 'atom_style granular' (or sphere).");
   contacts_checked_ = false;
@@ -239,6 +236,7 @@ void FixCoupleGas::setup(int) {
     const bool booked = booked_whole_ || update->laststep == step;
     apply_forces(booked ? 0.0 : 0.5);
   });
+  end_setup_costs();
 }
 
 void FixCoupleGas::post_force(int) {
@@ -280,20 +278,15 @@ void FixCoupleGas::apply_forces(double share_of_step) {
 
 void FixCoupleGas::end_of_step() {
   auto& session = gasgrain::session();
+  const gasgrain::Stopwatch watch(coupled_->costs(), coupled_->costs().task(in_step_task));
   if (session.local.max(session.stop_wanted != 0 ? 1.0 : 0.0) == 0.0) return;
   auto name = fmt::format("{}/checkpoint/dem.{}.restart", output_, update->ntimestep);
   WriteRestart(lmp).write(name.data());
   SignalHandler::request_quit = true;
 }
 
-// The host's own clock, by its tasks, joins the cost ledger.
 void FixCoupleGas::post_run() {
-  auto& costs = coupled_->costs();
-  costs.charge(costs.task(gasgrain::CostLedger::total), timer->array[TIME_LOOP]);
-  costs.charge(costs.task("pair forces"), timer->array[TIME_PAIR]);
-  costs.charge(costs.task("neighbour lists"), timer->array[TIME_NEIGHBOR]);
-  costs.charge(costs.task("DEM communication"), timer->array[TIME_COMM]);
-  costs.charge(costs.task("output"), timer->array[TIME_OUTPUT]);
+  take_host_costs();
   if (last_coupled_ < 0) return;
   guarded([&] { coupled_->complete(particles(), records_); });
   tell_of_interval();

@@ -104,6 +104,12 @@ class FixCoupleGas : public Fix {
   void tell_of_interval() const;
   void put_stray_grains_into_box();
   [[noreturn]] void stop_with_autopsy(const std::string& fault);
+  // Costs, fix_couple_gas_costs.cpp.
+  void begin_setup_costs();
+  void end_setup_costs();
+  void charge_fixes(double sign);
+  void take_host_costs();
+  void tell_costs();
   template <class Action>
   void guarded(Action&& action);
 
@@ -141,6 +147,8 @@ class FixCoupleGas : public Fix {
   std::string no_gas_autopsy_;  // why
   long left_box_ = 0;           // grains of this rank since the last line, where they may
   IntervalWatch interval_watch_;
+  bool times_fixes_ = false;             // for the cost ledger, not for the user
+  double setup_begin_ = 0.0;             // age of the cost ledger less what has names [s]
 };
 
 // Errors that ranks meet during the run end the launch with one message.

@@ -180,7 +180,10 @@ class GasWithoutFlow {
     double before = processor_ms();
     while (true) {
       const Command command = receive_command(local_, partner_);
-      if (command.kind == CommandKind::finish) return rows;
+      if (command.kind == CommandKind::finish) {
+        send_text(local_, partner_, "");
+        return rows;
+      }
       couple(command.fresh != 0);
       Row row{};
       const double now = processor_ms();

@@ -23,8 +23,8 @@ from dem_speed import DT, PACKED, SCENE, SOURCE, launch, without_gas
 
 METHODS = ["centre", "offset", "trilinear", "exact", "kernel", "particle_grid"]
 EVERY = 100         # DEM steps a coupling, of the scene
-PARTICLE_TASKS = ["void fraction", "drag law", "sampling"]
-OTHER_TASKS = ["transport", "waiting for the gas", "forces", "history"]
+PARTICLE_TASKS = ["void fraction", "drag law", "drag of the gas", "sampling"]
+OTHER_TASKS = ["transport", "waiting for the gas", "forces", "history", "DEM ranks in step"]
 LIMIT = {"exact": 10.0}     # % of the DEM steps for PARTICLE_TASKS
 USUAL_LIMIT = 3.0
 WHOLE_LIMIT = 15.0          # % with the gas step
@@ -38,8 +38,8 @@ def pack(work, script):
                       "-var", "time", "0"])
 
 
-def tasks_of(path):
-    return {name: task["max_s"] for name, task in json.loads(path.read_text())["tasks"].items()}
+def tasks_of(ledger, side):
+    return {name: task["max_s"] for name, task in ledger[side]["tasks"].items()}
 
 
 def measure(work, build, method, time):
@@ -49,10 +49,16 @@ def measure(work, build, method, time):
             work, "-var", "restart", PACKED, "-var", "time", time],
            ["-np", 1, build / "gasgrain-gas", "gas.toml", "--out", work])
     couplings = round(time / (EVERY * DT))
-    dem = {name: 1e3 * s / couplings for name, s in tasks_of(work / "ledger.dem.json").items()}
-    gas = {name: 1e3 * s / couplings for name, s in tasks_of(work / "ledger.gas.json").items()}
-    coupling = {name.split(": ")[1]: ms for name, ms in dem.items() if name.startswith("coupling: ")}
-    coupling["DEM steps"] = dem["total"] - sum(coupling.values())
+    ledger = json.loads((work / "ledger.json").read_text())
+    dem = {name: 1e3 * s / couplings for name, s in tasks_of(ledger, "dem").items()}
+    gas = {name: 1e3 * s / couplings for name, s in tasks_of(ledger, "gas").items()}
+    coupling = {}
+    for name, ms in dem.items():
+        if name.startswith("coupling: "):
+            task = name.split(": ")[1]
+            task = "forces" if task.startswith("force") else task
+            coupling[task] = coupling.get(task, 0.0) + ms
+    coupling["DEM steps"] = dem["total"] - dem["setup"] - dem["other"] - sum(coupling.values())
     return coupling, gas
 
 

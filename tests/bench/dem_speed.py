@@ -81,7 +81,7 @@ def main():
             grain_steps / launch(work, dem(build / "gasgrain-liggghts", "in.alone")))
         loop = launch(work, dem(build / "gasgrain-liggghts", "in.coupled"),
                       ["-np", 1, build / "gasgrain-gas", "gas.toml", "--out", work])
-        tasks = json.loads((work / "ledger.dem.json").read_text())["tasks"]
+        tasks = json.loads((work / "ledger.json").read_text())["dem"]["tasks"]
         coupling = sum(task["mean_s"] for name, task in tasks.items()
                        if name.startswith("coupling:"))
         speeds["gasgrain-liggghts, coupled: DEM part"].append(grain_steps / (loop - coupling))

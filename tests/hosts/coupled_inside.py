@@ -69,8 +69,8 @@ class Inside(unittest.TestCase):
             for name in ("history.csv", "run.json", "gas.h5", "gas.xdmf", "particles/p_500.vtk",
                          "checkpoint/gas.500.h5", "checkpoint/dem.500.restart"):
                 self.assertGreater((scene.out / name).stat().st_size, 0, name)
-            gas = json.loads((scene.out / "ledger.gas.json").read_text())["tasks"]
-            dem = json.loads((scene.out / "ledger.dem.json").read_text())["tasks"]
+            ledger = json.loads((scene.out / "ledger.json").read_text())
+            gas, dem = ledger["gas"]["tasks"], ledger["dem"]["tasks"]
             # What the one does the other waits for.
             self.assertGreater(gas["pressure"]["max_s"], 0.0)
             self.assertGreater(gas["waiting for the particles"]["max_s"],
@@ -120,7 +120,7 @@ class Inside(unittest.TestCase):
             gas = {path.name.split(".")[1] for path in (scene.out / "checkpoint").glob("gas.*")}
             self.assertEqual(len(dem), 1, text)
             self.assertEqual(dem, gas, text)
-            self.assertTrue((scene.out / "ledger.gas.json").exists())
+            self.assertTrue((scene.out / "ledger.json").exists())
 
     def test_a_restart_without_the_gas_s_checkpoint_is_refused(self):
         with Scene(couple=INSIDE, steps=500,

@@ -34,7 +34,7 @@ class Stop(unittest.TestCase):
         checkpoint = run.out / "gas.checkpoint.h5"
         self.assertEqual(text.count("stopping: ending the interval"), 1, text)
         self.assertIn(f" of 1000 s: go on with --restart {checkpoint}", text)
-        self.assertTrue((run.out / "ledger.gas.json").exists())
+        self.assertTrue((run.out / "ledger.json").exists())
 
     def test_a_run_that_was_stopped_goes_on_as_the_one_that_was_not(self):
         for ranks in (1, 2):

@@ -63,7 +63,38 @@ TEST(cost_ledger, the_unnamed_rest_is_the_total_less_the_tasks) {
   costs.charge(costs.task(CostLedger::total), 5.0);
   costs.charge(costs.task("pair forces"), 1.0);
   EXPECT_DOUBLE_EQ(costs.unnamed(), 1.0);
-  EXPECT_NE(costs.json(Communicator()).find("\"pair forces\": {\"mean_s\": 4"), std::string::npos);
+  EXPECT_NE(costs.over(Communicator()).json().find("\"pair forces\": {\"mean_s\": 4"),
+            std::string::npos);
+}
+
+TEST(cost_ledger, a_closed_ledger_sums_to_its_age) {
+  const WallClock before;
+  CostLedger costs;
+  const WallClock after;
+  costs.charge(costs.task("pair forces"), 1e-9);
+  while (after.seconds() < 1e-3) {
+  }
+  const double least = after.seconds();
+  costs.close();
+  EXPECT_NEAR(costs.unnamed(), 0.0, 1e-15);
+  EXPECT_GE(costs.seconds(CostLedger::total), least);
+  EXPECT_LE(costs.seconds(CostLedger::total), before.seconds());
+  EXPECT_DOUBLE_EQ(costs.seconds("pair forces") + costs.seconds(CostLedger::other),
+                   costs.seconds(CostLedger::total));
+}
+
+TEST(cost_ledger, the_table_has_the_shares_of_the_total_the_dearest_first) {
+  CostLedger costs;
+  costs.charge(costs.task("coupling: transport"), 1.0);
+  costs.charge(costs.task("pair forces"), 3.0);
+  costs.charge(costs.task(CostLedger::total), 4.0);
+  const std::string text = costs.over(Communicator()).table("DEM");
+  const std::size_t dearest = text.find("75.0 %");
+  const std::size_t last = text.find("25.0 %");
+  EXPECT_NE(text.find("DEM, 1 rank "), std::string::npos) << text;
+  EXPECT_LT(text.find("100.0 %"), dearest) << text;
+  EXPECT_LT(dearest, last) << text;
+  EXPECT_NE(last, std::string::npos) << text;
 }
 
 }  // namespace
