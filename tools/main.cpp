@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "coupling/base/error.h"
+#include "tools/advise_command.h"
 #include "tools/run_command.h"
 #include "tools/study/study_command.h"
 
@@ -82,6 +83,36 @@ void add_study(CLI::App& app, gasgrain::StudyOptions& options) {
   study->footer(study_examples);
 }
 
+constexpr const char* advise_examples = R"(Examples:
+  gasgrain advise inputs/spouted_bed
+      every effect: its size, on or off, advised; then stiffness, steps, cells, methods
+  gasgrain advise inputs/spouted_bed --overlap 2 --speed 8
+      the stiffness for an overlap of 2 % of a diameter at 8 m/s, e.g. from a run's audit
+  gasgrain advise inputs/spouted_bed --write scenes/advised
+      a copy of the scene with the advice put in, each change told; then gasgrain run scenes/advised)";
+
+void add_advise(CLI::App& app, gasgrain::AdviseOptions& options) {
+  CLI::App* advise =
+      app.add_subcommand("advise", "Says which effects and numerics a scene calls for");
+  advise->add_option("SCENE", options.scene, "Folder with in.liggghts and gas.toml")->required();
+  advise
+      ->add_option("--overlap", options.overlap_percent, "Greatest overlap, percent of a diameter")
+      ->check(CLI::Range(0.01, 50.0))
+      ->capture_default_str();
+  advise
+      ->add_option("--speed", options.speed,
+                   "Speed of the fastest grain [m/s] (default: estimated)")
+      ->check(CLI::PositiveNumber);
+  advise->add_flag("--json", options.json, "The same as JSON");
+  advise->add_option("--write", options.write,
+                     "Folder for a copy of the scene that has the advice");
+  advise
+      ->add_option("--var", options.variables, "NAME VALUE: a variable of in.liggghts; repeatable")
+      ->type_name("NAME VALUE")
+      ->allow_extra_args(false);
+  advise->footer(advise_examples);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -89,12 +120,15 @@ int main(int argc, char** argv) {
     CLI::App app{"Gas and particles, coupled: a DEM code and a gas solver run as one."};
     app.set_version_flag("--version", "gasgrain " GASGRAIN_VERSION);
     app.require_subcommand(1);
-    app.footer("Help on a subcommand, with examples: gasgrain run --help, gasgrain study --help");
+    app.footer("Help on a subcommand, with examples: gasgrain run --help, gasgrain advise --help");
     gasgrain::RunOptions run_options;
     gasgrain::StudyOptions study_options;
+    gasgrain::AdviseOptions advise_options;
     add_run(app, run_options);
+    add_advise(app, advise_options);
     add_study(app, study_options);
     CLI11_PARSE(app, argc, argv);
+    if (app.got_subcommand("advise")) return gasgrain::advise(advise_options);
     return app.got_subcommand("study") ? gasgrain::study(study_options)
                                        : gasgrain::run(run_options);
   } catch (const std::exception& e) {

@@ -151,4 +151,8 @@ std::vector<std::string> scene_faults(const RunOptions& options, const Programs&
   return faults;
 }
 
+void require_scene(const fs::path& scene) {
+  if (!fs::is_directory(scene)) throw Error(absent_scene(scene));
+}
+
 }  // namespace gasgrain

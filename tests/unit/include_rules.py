@@ -32,7 +32,7 @@ RULES = (
     (HOSTS[0], (BASE, EXCHANGE, TRANSPORT, "coupling/", PHYSICS)),
     (HOSTS[1], (BASE, EXCHANGE, TRANSPORT, "coupling/", PHYSICS)),
     ("gas_solver/", (BASE,)),
-    ("tools/", (BASE, EXCHANGE, PHYSICS)),
+    ("tools/", (BASE, EXCHANGE, PHYSICS, "gas_solver/")),
     ("tests/", (BASE, EXCHANGE, TRANSPORT, "coupling/", PHYSICS, "gas_solver/", "tools/")),
 )
 # The gas solver meets the coupling in its main and in its ports.

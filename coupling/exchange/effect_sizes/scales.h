@@ -39,7 +39,6 @@ struct Scales {
   double gas_length = 0.0;     // l over which u varies [m]
   double pressure_drop = 0.0;  // over the bed [Pa]
   double gas_pressure = 0.0;   // absolute [Pa]
-  double intensity = 0.0;      // of turbulence, u' / u
   // Of the numerics
   double cell = 0.0;      // h, geometric mean [m]
   double interval = 0.0;  // T of the coupling [s]
