@@ -89,6 +89,10 @@ class CoupledStep {
 
   [[nodiscard]] const GasHello& gas() const { return gas_; }
   [[nodiscard]] const BoxGrid& grid() const { return frame_.grid; }
+  // Of the last coupling, for those who look on: what was lent, over the tile of the frame.
+  [[nodiscard]] const FieldStore& fields() const { return fields_; }
+  [[nodiscard]] const TileFrame& frame() const { return frame_; }
+  [[nodiscard]] const GasProperties& properties() const { return properties_; }
   [[nodiscard]] CostLedger& costs() { return costs_; }
   // What was clamped since the last call, this rank's share.
   struct Clamps {

@@ -32,7 +32,7 @@ class Chooser {
   template <class Chosen>
   void choose(SizeOf<Chosen>) {
     set(has_force<Chosen>(effects_), needed());
-    if (std::is_same_v<Chosen, ForceBasset> && needed()) row_.note = "an upper bound above Re = 1";
+    if (std::is_same_v<Chosen, ForceBasset>) row_.note = "an upper bound above Re = 1";
   }
   void choose(SizeDrag) { set(effects_.drag.has_value(), true); }
   void choose(SizePolydisperse) { set(effects_.drag && effects_.polydisperse, needed()); }
@@ -93,7 +93,7 @@ class Chooser {
   }
   // Of grains that do not move neither matters.
   void of_contacts(bool now) { set(now, scene_.moves ? needed() : now); }
-  [[nodiscard]] bool needed() const { return row_.share >= needed_share; }
+  [[nodiscard]] bool needed() const { return row_.needed; }
   [[nodiscard]] TurbulenceModel turbulence() const { return scene_.gas.turbulence.model; }
   // By the mean flow's stress, whichever model stands for it.
   [[nodiscard]] bool turbulent() const {
@@ -129,6 +129,7 @@ std::vector<EffectRow> effect_rows(const AdviseScene& scene, const Places& place
       const double share = share_of_motion(place.scales, force);
       if (row.sizes.size() == 1 || share > row.share) row.number = size.number(place.scales);
       row.share = std::max(row.share, share);
+      row.needed = row.needed || is_needed<decltype(size)>(place.scales, force);
     }
     Chooser(scene, places, row).choose(size);
     row.price = effect_price(row.name);

@@ -21,6 +21,7 @@ struct EffectRow {
   double number = 0.0;           // where it is largest
   std::vector<SizeThere> sizes;  // at the places, in their order
   double share = 0.0;            // of the greater of weight and drag, where it is largest
+  bool needed = false;           // at some place
   std::string now;               // on, off, or a choice's name
   std::string advised;
   std::string price;  // of having it on

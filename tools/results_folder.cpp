@@ -28,7 +28,8 @@ bool is_run_file(const fs::path& file) {
        {"history.csv", "run.json", "gas.h5", "gas.xdmf", "packed.restart", "particles.vtk.series"})
     if (name == known) return true;
   return file.extension() == ".png" ||
-         (name.rfind("ledger", 0) == 0 && file.extension() == ".json");
+         (name.rfind("ledger", 0) == 0 && file.extension() == ".json") || name == "audit.txt" ||
+         name == "audit.json";
 }
 
 std::vector<fs::path> files_in(const fs::path& folder) {

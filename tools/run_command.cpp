@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "coupling/base/error.h"
+#include "tools/audit_summary.h"
 #include "tools/failure.h"
 #include "tools/launch.h"
 #include "tools/ledger.h"
@@ -135,6 +136,8 @@ int run(const RunOptions& options) {
   }
   fmt::print("{} has run to its end\n{}", options.scene.string(),
              summary(results.path(), progress.wall_s(), costs));
+  if (const std::string wrong = complete_audit(options.scene, results.path()); !wrong.empty())
+    fmt::print("Effects, of audit.txt:\n{}", wrong);
   if (!options.no_plots) draw_plots(results);
   fmt::print("Results:\n{}", made_files(results.path()));
   return 0;

@@ -104,6 +104,7 @@ void FixCoupleGas::read_arguments(int narg, char** arg) {
         gas_input_);
   effects_ = gasgrain::parse_effects({arg + a, arg + narg}, "couple/gas");
   records_ = gasgrain::ExchangeRecords(effects_.layout(overlapped_));
+  audit_ = gasgrain::Audit(effects_);
   if (!gasgrain::session().local.is_root()) return;
   std::filesystem::create_directories(output_ + "/checkpoint");
   std::filesystem::create_directories(output_ + "/particles");
@@ -269,6 +270,7 @@ void FixCoupleGas::couple() {
                   static_cast<double>(step - start_) * dt);
   last_coupled_ = step;
   watch_interval();
+  look_for_audit();
 }
 
 void FixCoupleGas::apply_forces(double share_of_step) {
@@ -291,6 +293,7 @@ void FixCoupleGas::post_run() {
   guarded([&] { coupled_->complete(particles(), records_); });
   tell_of_interval();
   const auto ledger = coupled_->whole_ledger(particles(), records_);
+  report_audit(ledger);
   if (comm->me != 0) return;
   for (FILE* sink : {screen, logfile})
     if (sink != nullptr) fmt::print(sink, "{}\n", ledger.text());

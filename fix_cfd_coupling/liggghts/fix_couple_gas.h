@@ -21,6 +21,7 @@
 #include <string>
 #include <vector>
 
+#include "coupling/audit.h"
 #include "coupling/coupled_step.h"
 #include "coupling/exchange/particle_exchange.h"
 #include "coupling/run_history.h"
@@ -110,6 +111,10 @@ class FixCoupleGas : public Fix {
   void charge_fixes(double sign);
   void take_host_costs();
   void tell_costs();
+  // The audit: fix_couple_gas_audit.cpp
+  [[nodiscard]] gasgrain::AuditSetting audit_setting() const;
+  void look_for_audit();
+  void report_audit(const gasgrain::Ledger& ledger);
   template <class Action>
   void guarded(Action&& action);
 
@@ -125,6 +130,7 @@ class FixCoupleGas : public Fix {
   // Of the run
   std::unique_ptr<gasgrain::CoupledStep> coupled_;
   std::unique_ptr<gasgrain::HistoryFile> history_;
+  gasgrain::Audit audit_;
   gasgrain::ExchangeRecords records_;  // one per particle, moves with it
   bigint last_coupled_ = -1;           // step; -1: never
   bigint last_recorded_ = -1;          // step

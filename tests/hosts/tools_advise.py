@@ -97,13 +97,17 @@ class WhatAScenesNumbersChange(InFolder):
         self.assertEqual((row["now"], row["advised"]), ("off", "on"))
         self.assertAlmostEqual(row["number"], 0.00125 / 0.0006)
 
-    def test_water_calls_for_virtual_mass_and_history(self):
+    def test_water_calls_for_virtual_mass_but_not_for_history_beyond_its_range(self):
         scene = self.scene(("gas.toml", "density = 1.2 ", "density = 998.0 "),
                            ("gas.toml", "viscosity = 18.27e-6", "viscosity = 1e-3"),
                            ("gas.toml", "mass_flow = 1.8e-3", "mass_flow = 0.03"))
-        rows = effects(scene)
-        for name in ("virtual_mass", "basset"):
-            self.assertEqual(rows[name]["advised"], "on", rows[name])
+        answer = facts(scene)
+        rows = {row["effect"]: row for row in answer["effects"]}
+        self.assertEqual(rows["virtual_mass"]["advised"], "on")
+        self.assertGreater(answer["places"]["bed"]["reynolds"], 1.0)
+        self.assertGreater(rows["basset"]["share"], 0.05)
+        self.assertEqual(rows["basset"]["advised"], "off")
+        self.assertIn("upper bound above Re = 1", rows["basset"]["note"])
 
     def test_fine_powder_wants_the_van_der_waals_force_that_this_version_lacks(self):
         scene = self.scene(("in.liggghts", "radius constant 0.00125", "radius constant 0.00002"))

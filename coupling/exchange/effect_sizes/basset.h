@@ -22,11 +22,13 @@ struct SizeOf<ForceBasset> {
   static constexpr std::string_view name = ForceBasset::name;
   static constexpr std::string_view number_name = "(18 rho / (pi rho_p))^(1/2)";
   static constexpr std::string_view threshold =
-      "0.05 (from Basset 1888), an upper bound above Re = 1; thesis 5.3: can be omitted in gas";
+      "0.05 (Basset 1888), to Re = 1 and not advised beyond; thesis 5.3: can be omitted in gas";
 
   static double number(const Scales& at) {
     return std::sqrt(ratio(18.0 * at.gas_density, pi * at.solid_density));
   }
+  // Beyond it the force as programmed is too great, by how much nobody knows.
+  static bool in_range(const Scales& at) { return at.reynolds() <= 1.0; }
   // In which the slip changes by as much as it is [s].
   static double duration(const Scales& at) { return ratio(at.slip, at.relative_acceleration()); }
   static double force(const Scales& at) {

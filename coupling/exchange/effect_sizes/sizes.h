@@ -69,4 +69,18 @@ void for_each_size(F&& f) {
   for_each_choice<SizesOfAbsent>(f);
 }
 
+// The same of those that gas and grains at a coupling tell of: neither of contacts nor of what is
+// absent.
+template <class F>
+void for_each_audited_size(F&& f) {
+  f(SizeDrag{});
+  for_each_choice<SizesOfForces>(f);
+  for_each_choice<SizesBesideForces>([&](auto size) {
+    using Size = decltype(size);
+    if constexpr (!std::is_same_v<Size, SizeRotation> &&
+                  !std::is_same_v<Size, SizeTangentialHistory>)
+      f(size);
+  });
+}
+
 }  // namespace gasgrain

@@ -1,0 +1,46 @@
+// How fix couple/gas keeps the audit of its run (coupling/audit.h).
+#include "coupling/audit_report.h"
+#include "fix_cfd_coupling/liggghts/fix_couple_gas.h"
+#include "fix_cfd_coupling/liggghts/host_session.h"
+// --
+#include "comm.h"
+#include "fix_gravity.h"
+#include "modify.h"
+#include "update.h"
+
+namespace LAMMPS_NS {
+
+namespace {
+
+double gravity_of(const Modify& modify) {
+  for (int n = 0; n < modify.nfix; ++n)
+    if (auto* gravity = dynamic_cast<FixGravity*>(modify.fix[n])) {
+      gasgrain::Vec3 g;
+      gravity->get_gravity(g.data());
+      return g.norm();
+    }
+  return 0.0;
+}
+
+}  // namespace
+
+gasgrain::AuditSetting FixCoupleGas::audit_setting() const {
+  return {coupled_->properties(), gravity_of(*modify), every_ * update->dt, overlapped_};
+}
+
+void FixCoupleGas::look_for_audit() {
+  const gasgrain::Stopwatch watch(coupled_->costs(), coupled_->costs().task("coupling: audit"));
+  audit_.look(particles(), records_, coupled_->fields(), coupled_->frame(), audit_setting());
+}
+
+void FixCoupleGas::report_audit(const gasgrain::Ledger& ledger) {
+  if (audit_.couplings() == 0) return;
+  const gasgrain::Audit whole = audit_.whole(gasgrain::session().local);
+  if (comm->me != 0) return;
+  const auto report = gasgrain::audit_report(whole, effects_, audit_setting(), ledger);
+  guarded([&] { gasgrain::write_audit(output_, report); });
+  for (FILE* sink : {screen, logfile})
+    if (sink != nullptr) fmt::print(sink, "{}", report.text());
+}
+
+}  // namespace LAMMPS_NS
