@@ -7,16 +7,10 @@
 
 #include "coupling/base/error.h"
 #include "tools/scene_copy.h"
+#include "tools/script_edit.h"
 
 namespace gasgrain {
 namespace {
-
-// The name in "${name}" or "$x"; empty when a word is something else.
-std::string variable_of(const std::string& word) {
-  if (word.size() > 3 && word.compare(0, 2, "${") == 0 && word.back() == '}')
-    return word.substr(2, word.size() - 3);
-  return word.size() == 2 && word[0] == '$' ? word.substr(1) : "";
-}
 
 class AdviceWriter {
  public:
@@ -29,18 +23,12 @@ class AdviceWriter {
     for (const EffectRow& row : advice_.effects)
       if (!row.agrees()) put_effect(row);
     if (!to_add_.empty()) add_words();
+    put_interval();
     copy_.write();
-    return told_;
+    return edit_.told();
   }
 
  private:
-  void tell(const std::string& what, const std::string& from, const std::string& to) {
-    told_.push_back(fmt::format("{}: {} -> {}", what, from, to));
-  }
-  void by_hand(const std::string& what, const std::string& how) {
-    told_.push_back(fmt::format("not put in: {}. {}", what, how));
-  }
-
   // The first command that begins with these words, of which "*" is any.
   [[nodiscard]] const ScriptCommand* command(const std::vector<std::string>& begin) const {
     for (const ScriptCommand& found : scene_.script.commands()) {
@@ -52,94 +40,65 @@ class AdviceWriter {
     return nullptr;
   }
 
-  // Replaces a word as it is written in the script: itself, or the value of its variable.
-  bool put(const ScriptCommand& where, const std::string& raw, const std::string& value) {
-    const std::string name = variable_of(raw);
-    if (!name.empty()) return put_variable(name, value);
-    if (where.file != copy_.script_path()) return false;  // of an included file
-    for (int line = where.line; line <= where.last_line; ++line) try {
-        copy_.replace_in_script(line, raw, value);
-        tell(fmt::format("in.liggghts:{}", line), raw, value);
-        return true;
-      } catch (const Error&) {
-        continue;  // on the next of its lines
-      }
-    return false;
-  }
-  bool put_variable(const std::string& name, const std::string& value) {
-    if (!copy_.has_variable(name)) return false;
-    tell("variable " + name, copy_.variable(name), value);
-    copy_.set_variable(name, value);
-    return true;
-  }
-
   void put_number(const NumberRow& row) {
     const std::string value = fmt::format("{:.3g}", row.value);
     bool done = false;
     if (row.dial == Dial::youngs) {
       const auto* line = command({"fix", "*", "*", "property/global", "youngsModulus"});
       const auto raw = script_words(line->text);
-      done = raw.size() == 7 && put(*line, raw[6], value);
+      done = raw.size() == 7 && edit_.put(*line, raw[6], value);
     } else if (row.dial == Dial::dem_step) {
       const auto* line = command({"timestep"});
-      done = put(*line, script_words(line->text)[1], value);
+      done = edit_.put(*line, script_words(line->text)[1], value);
       if (done) dt_ = row.value;
     } else if (row.dial == Dial::interval) {
       interval_ = row.value;
+      done = true;  // with the step, put_interval()
     } else if (row.dial == Dial::gas_step) {
       put_gas("time.step", fmt::format("{:.6g}", row.value));
       done = true;
     } else if (row.dial == Dial::method) {
       done = put_method(row.advised);
     } else {
-      by_hand(row.name, row.reason + ".");
+      edit_.by_hand(row.name, row.reason + ".");
       return;
     }
-    // The interval is in DEM steps: it is kept, or changed, once the step is known.
-    if (row.dial == Dial::dem_step || row.dial == Dial::interval) {
-      if (row.dial == Dial::interval || done) put_interval();
-      if (row.dial == Dial::interval) return;
-    }
-    if (!done) by_hand(row.name, fmt::format("Write {} where the script has it.", row.advised));
+    if (!done)
+      edit_.by_hand(row.name, fmt::format("Write {} where the script has it.", row.advised));
   }
 
-  // `every` follows from the interval and the step where the script says so.
+  // `every` counts DEM steps, so that it goes with both; or follows by itself where the script has
+  // it from a variable `interval`.
   void put_interval() {
+    if (dt_ == 0.0 && interval_ == 0.0) return;
     const double dt = dt_ > 0.0 ? dt_ : scene_.dt;
     const double interval = interval_ > 0.0 ? interval_ : scene_.interval();
     const ScriptCommand& line = scene_.couple.command;
-    const auto raw_words = script_words(line.text);
-    const auto key = std::find(raw_words.begin(), raw_words.end(), "every");
-    if (key == raw_words.end() || key + 1 == raw_words.end()) return;
     const int every = std::max(1, static_cast<int>(std::lround(interval / dt)));
-    if (copy_.has_variable("interval") && !variable_of(*(key + 1)).empty() &&
-        !copy_.has_variable(variable_of(*(key + 1)))) {
-      // every = round(interval / dt) follows by itself.
-      if (interval_ > 0.0) put_variable("interval", fmt::format("{:.3g}", every * dt));
+    const std::string name = variable_in(raw_after(line, "every"));
+    if (!name.empty() && !copy_.has_variable(name) && copy_.has_variable("interval")) {
+      if (interval_ > 0.0) edit_.put_variable("interval", fmt::format("{:.3g}", every * dt));
       return;
     }
-    if (every != scene_.couple.every && !put(line, *(key + 1), std::to_string(every)))
-      by_hand("every", fmt::format("Write 'every {}' in {}.", every, line.place()));
+    if (every != scene_.couple.every && !edit_.put_after(line, "every", std::to_string(every)))
+      edit_.by_hand("every", fmt::format("Write 'every {}' in {}.", every, line.place()));
   }
 
   bool put_method(const std::string& method) {
     const ScriptCommand& line = scene_.couple.command;
-    const auto raw = script_words(line.text);
-    const auto key = std::find(raw.begin(), raw.end(), "void_fraction");
-    if (key == raw.end() || key + 1 == raw.end()) return false;
     // A number of its own follows `kernel` and `particle_grid`: that goes too.
-    std::string text = *(key + 1);
-    const std::string number = key + 2 != raw.end() ? *(key + 2) : "";
-    if (!number.empty() && number.find_first_not_of("0123456789.e+-") == std::string::npos)
-      text += " " + number;
-    return put(line, text, method);
+    const std::string name = raw_after(line, "void_fraction");
+    const std::string number = raw_after(line, name);
+    const bool has_number = !number.empty() && variable_in(name).empty() &&
+                            number.find_first_not_of("0123456789.e+-") == std::string::npos;
+    return has_number ? edit_.put(line, name + " " + number, method)
+                      : edit_.put_after(line, "void_fraction", method);
   }
 
   void put_gas(const std::string& key, const std::string& value) {
     const auto dot = key.find('.');
     copy_.set_gas_key(key, value);
-    told_.push_back(
-        fmt::format("gas.toml: [{}] {} = {}", key.substr(0, dot), key.substr(dot + 1), value));
+    edit_.tell("gas.toml", fmt::format("[{}] {}", key.substr(0, dot), key.substr(dot + 1)), value);
   }
 
   void put_effect(const EffectRow& row) {
@@ -151,9 +110,9 @@ class AdviceWriter {
       else if (turbulence_stays_off())
         put_gas("turbulence.model", "\"none\"");
     } else if (row.name == "law ideal_gas") {
-      by_hand(row.name, on ? "Write [gas] law = \"ideal_gas\" with pressure, temperature and "
-                             "molar_mass instead of density."
-                           : "Write [gas] density instead of the law's keys.");
+      edit_.by_hand(row.name, on ? "Write [gas] law = \"ideal_gas\" with pressure, temperature and "
+                                   "molar_mass instead of density."
+                                 : "Write [gas] density instead of the law's keys.");
     } else if (row.name == "model B") {
       put_gas("gas.model", "\"A\"");
     } else if (row.name == "convection") {
@@ -162,31 +121,32 @@ class AdviceWriter {
       if (on)
         put_gas("grid.plane_of_spheres", fmt::format("{:.6g}", scene_.grains.largest));
       else
-        by_hand(row.name, "Remove [grid] plane_of_spheres.");
+        edit_.by_hand(row.name, "Remove [grid] plane_of_spheres.");
     } else if (row.name == "rotation") {
-      by_hand(row.name, on ? "Write nve/sphere in place of nve."
-                           : "Write nve in place of nve/sphere, if the grains' spin is of no use.");
+      edit_.by_hand(row.name,
+                    on ? "Write nve/sphere in place of nve."
+                       : "Write nve in place of nve/sphere, if the grains' spin is of no use.");
     } else if (row.name == "tangential history") {
-      by_hand(row.name, on ? "Write 'tangential history' in pair_style and the walls."
-                           : "Write 'tangential no_history' in pair_style and the walls.");
+      edit_.by_hand(row.name, on ? "Write 'tangential history' in pair_style and the walls."
+                                 : "Write 'tangential no_history' in pair_style and the walls.");
     } else if (row.name == "mode overlapped") {
-      if (!put(scene_.couple.command, raw_after("mode"), "in_turn"))
-        by_hand(row.name, "Write 'mode in_turn' on the couple/gas line.");
+      if (!edit_.put_after(scene_.couple.command, "mode", "in_turn"))
+        edit_.by_hand(row.name, "Write 'mode in_turn' on the couple/gas line.");
     } else if (row.name == "momentum_sharing") {
-      if (!put(scene_.couple.command, raw_after("momentum_sharing"), row.advised) &&
-          !remove_words({"momentum_sharing", row.now}))
-        by_hand(row.name, "Write 'momentum_sharing scheme_3' on the couple/gas line.");
+      if (!edit_.put_after(scene_.couple.command, "momentum_sharing", row.advised) &&
+          !remove_words("momentum_sharing " + row.now))
+        edit_.by_hand(row.name, "Write 'momentum_sharing scheme_3' on the couple/gas line.");
     } else if (row.name == "self_disturbance") {
-      if (!remove_words({"self_disturbance", "ignored"}))
-        by_hand(row.name, "Remove 'self_disturbance ignored' from the couple/gas line.");
+      if (!remove_words("self_disturbance ignored"))
+        edit_.by_hand(row.name, "Remove 'self_disturbance ignored' from the couple/gas line.");
     } else if (row.name == "drag") {
       to_add_.insert(to_add_.begin(), "drag tang");
     } else if (row.now == "absent") {
-      by_hand(row.name, "It is not in this version.");
+      edit_.by_hand(row.name, "It is not in this version.");
     } else if (on) {
       to_add_.push_back(row.name);
-    } else if (!remove_words({row.name})) {
-      by_hand(row.name, "Remove it from the couple/gas line.");
+    } else if (!remove_words(row.name)) {
+      edit_.by_hand(row.name, "Remove it from the couple/gas line.");
     }
   }
   [[nodiscard]] bool turbulence_stays_off() const {
@@ -195,42 +155,14 @@ class AdviceWriter {
     });
   }
 
-  [[nodiscard]] std::string raw_after(const std::string& key) const {
-    const auto raw = script_words(scene_.couple.command.text);
-    const auto found = std::find(raw.begin(), raw.end(), key);
-    return found == raw.end() || found + 1 == raw.end() ? "" : *(found + 1);
-  }
-
-  // At the end of the couple/gas line, or of the variable that ends it.
   void add_words() {
     const std::string words = fmt::format("{}", fmt::join(to_add_, " "));
     const ScriptCommand& line = scene_.couple.command;
-    const std::string last = script_words(line.text).back();
-    const std::string name = variable_of(last);
-    const bool in_variable = !name.empty() && copy_.has_variable(name);
-    if (in_variable ? put_variable(name, copy_.variable(name) + " " + words)
-                    : put(line, last, last + " " + words))
-      return;
-    by_hand(words, fmt::format("Write it at the end of {}.", line.place()));
+    if (!edit_.append(line, words))
+      edit_.by_hand(words, fmt::format("Write it at the end of {}.", line.place()));
   }
-
-  // Words that follow each other on the line, or in a variable of it, with the numbers after them.
-  bool remove_words(const std::vector<std::string>& words) {
-    const ScriptCommand& line = scene_.couple.command;
-    std::string joined;
-    for (const auto& word : words) joined += (joined.empty() ? "" : " ") + word;
-    joined += parameters_of(words.front());
-    for (const std::string& raw : script_words(line.text)) {
-      const std::string name = variable_of(raw);
-      if (name.empty() || !copy_.has_variable(name)) continue;
-      std::string value = copy_.variable(name);
-      const auto place = value.find(joined);
-      if (place == std::string::npos) continue;
-      value.erase(place, joined.size());
-      while (value.size() > 1 && value.back() == ' ') value.pop_back();
-      return put_variable(name, value.empty() ? " " : value);
-    }
-    return put(line, joined, "");
+  bool remove_words(const std::string& words) {
+    return edit_.remove(scene_.couple.command, words + parameters_of(words));
   }
   // " tolerance 0.01 horizon 100" of basset, as the line has them.
   [[nodiscard]] std::string parameters_of(const std::string& force) const {
@@ -248,7 +180,7 @@ class AdviceWriter {
   const AdviseScene& scene_;
   const Advice& advice_;
   SceneCopy copy_;
-  std::vector<std::string> told_;
+  ScriptEdit edit_{copy_};
   std::vector<std::string> to_add_;  // words of effects
   double dt_ = 0.0;                  // put in; 0: the scene's own
   double interval_ = 0.0;            // put in; 0: the scene's own

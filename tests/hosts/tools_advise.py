@@ -160,6 +160,26 @@ class Copies(InFolder):
         self.assertIn("pressure_gradient", line)
         self.assertTrue(line.endswith("# mine"), line)
 
+    def test_numbers_written_into_the_lines_are_replaced_where_they_mean_it(self):
+        # A step of 1e-4 s is too long, and so is an interval of 400 of them; gas400 is a name.
+        scene = self.scene(("in.liggghts", "fix gas all couple/gas every ${every}",
+                            "fix gas400 all couple/gas every 400"),
+                           ("in.liggghts", "timestep      ${dt}", "timestep      1.0e-4"),
+                           ("in.liggghts", "void_fraction ${void_fraction}",
+                            "void_fraction particle_grid 2.5"))
+        copy = self.folder / "copy"
+        answer = advise(scene, "--write", copy)
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        for word in ("to be looked at", "not put in"):
+            self.assertNotIn(word, answer.stdout)
+        script = (copy / "in.liggghts").read_text()
+        self.assertRegex(script, r"fix gas400 all couple/gas every \d\d+ ")
+        self.assertIn("void_fraction kernel 2 ${effects}", script)
+        asked, now = numbers(scene), numbers(copy)
+        for name in ("DEM step", "coupling interval"):
+            self.assertTrue(asked[name]["change"], name)
+            self.assertFalse(now[name]["change"], now[name])
+
     def test_the_scene_itself_is_refused_as_its_copy(self):
         scene = self.scene()
         answer = advise(scene, "--write", scene)
