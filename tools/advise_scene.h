@@ -9,19 +9,10 @@
 
 #include "coupling/exchange/effects.h"
 #include "gas_solver/gas_input.h"
+#include "tools/advise_grains.h"
 #include "tools/dem_script.h"
 
 namespace gasgrain {
-
-struct Grains {
-  double largest = 0.0;   // diameter [m]
-  double smallest = 0.0;  // diameter [m]
-  double sauter = 0.0;    // six times the volume of all over their surface [m]
-  double density = 0.0;   // of the solid volume's mean [kg/m3]
-  double count = 0.0;     // 0: not known, as grains come in by a rate
-  double top = 0.0;       // of what they are put into [m]
-  double thrown = 0.0;    // speed of insertion [m/s]
-};
 
 struct Contacts {
   std::string normal;      // hertz, hooke, ...; empty: no granular pair style

@@ -17,7 +17,7 @@ struct SizeVanDerWaals {
   static constexpr std::string_view name = "van der Waals";
   static constexpr std::string_view number_name = "Bo = A r / (6 z^2 m g)";
   static constexpr std::string_view threshold =
-      "Bo of 0.05, below some 0.3 mm (Massimilla, Donsi 1976); thesis 5.3: for micro-size grains";
+      "Bo of 0.05, below some 0.2 mm (Massimilla, Donsi 1976); thesis 5.3: for micro-size grains";
 
   static double number(const Scales& at) { return ratio(force(at), at.weight()); }
   static double force(const Scales& at) {
