@@ -48,6 +48,8 @@ Vec3 at_cell(const VectorField& field, const Int3& cell) {
           field[2](cell[0], cell[1], cell[2])};
 }
 
+constexpr double atmosphere = 101325.0;  // [Pa]; the gas's own pressure is not lent
+
 void raise(double& greatest, double value) {
   greatest = std::max(greatest, value);
 }
@@ -95,7 +97,7 @@ void Audit::look(const ParticleView& particles, const ExchangeRecords& records,
   common.cell = std::cbrt(frame.grid.cell_volume());
   common.interval = setting.interval;
   common.depth = frame.grid.cells[1] == 1 ? h[1] : 0.0;
-  common.gas_pressure = 101325.0;
+  common.gas_pressure = atmosphere;
   // Of trilinear weights: no method is narrower but at cells wider than the grain.
   common.bell = common.cell * std::sqrt(1.0 / 6.0 + 1.0 / 32.0 + 1.0 / 12.0);
   for (const Force& force : effects_.forces)

@@ -79,6 +79,7 @@ class Chooser {
     row_.now = "absent";
     row_.advised = needed() ? "wanted" : "absent";
     row_.note = "not in this version";
+    row_.price = "none: absent";
     if (std::is_same_v<Absent, SizeLiquidBridge>) row_.note += "; if the grains were wet";
     if (std::is_same_v<Absent, SizeElectrostatics>) row_.note += "; at the greatest charge";
     // Dry and uncharged grains want neither.
@@ -131,8 +132,8 @@ std::vector<EffectRow> effect_rows(const AdviseScene& scene, const Places& place
       row.share = std::max(row.share, share);
       row.needed = row.needed || is_needed<decltype(size)>(place.scales, force);
     }
-    Chooser(scene, places, row).choose(size);
     row.price = effect_price(row.name);
+    Chooser(scene, places, row).choose(size);
     rows.push_back(std::move(row));
   });
   return rows;
@@ -157,6 +158,8 @@ std::string effect_price(const std::string& name) {
       {"mode overlapped", "-1 % of the run"},
       {"momentum_sharing", "the default"},
       {"self_disturbance", "the default"},
+      {"polydisperse", "2 fields a coupling"},
+      {"tangential history", "gasgrain study contact-model"},
       {"model B", "0"},
       {"plane_of_spheres", "0"},
   };

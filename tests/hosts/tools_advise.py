@@ -67,6 +67,13 @@ class ShippedScenes(InFolder):
                     self.assertRegex(answer.stdout, rf"(?m)^[ *] {re.escape(name)} ")
                 self.assertIn("thesis:", answer.stdout)
 
+    def test_the_table_of_the_docs_is_what_the_program_says(self):
+        page = (INPUTS.parent / "docs" / "effects.md").read_text()
+        for name, row in effects(INPUTS / "spouted_bed").items():
+            cells = (f"`{name}`", row["number_name"], row["threshold"], row["price"])
+            line = "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |"
+            self.assertIn(line, page)
+
     def test_the_small_bed_has_what_it_needs_most(self):
         rows = effects(INPUTS / "spouted_bed_small")
         for name in ("drag", "pressure_gradient"):
