@@ -153,8 +153,8 @@ class FixCoupleGas : public Fix {
   std::string no_gas_autopsy_;  // why
   long left_box_ = 0;           // grains of this rank since the last line, where they may
   IntervalWatch interval_watch_;
-  bool times_fixes_ = false;             // for the cost ledger, not for the user
-  double setup_begin_ = 0.0;             // age of the cost ledger less what has names [s]
+  bool times_fixes_ = false;  // for the cost ledger, not for the user
+  double setup_begin_ = 0.0;  // age of the cost ledger less what has names [s]
 };
 
 // Errors that ranks meet during the run end the launch with one message.

@@ -44,6 +44,7 @@ class GasInProcess : public GasPartner {
     port_.finish_sends();
     return report_;
   }
+  std::string finish() override { return {}; }
   [[nodiscard]] GasSolver& solver() { return solver_; }
 
  private:
