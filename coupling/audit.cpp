@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/base/listed.h"
 #include "coupling/exchange/effect_sizes/sizes.h"
 
 namespace gasgrain {
@@ -101,7 +102,7 @@ void Audit::look(const ParticleView& particles, const ExchangeRecords& records,
   // Of trilinear weights: no method is narrower but at cells wider than the grain.
   common.bell = common.cell * std::sqrt(1.0 / 6.0 + 1.0 / 32.0 + 1.0 / 12.0);
   for (const Force& force : effects_.forces)
-    if (const auto* lorentz = std::get_if<ForceLorentz>(&force)) {
+    if (const auto* lorentz = chosen_as<ForceLorentz>(force)) {
       common.charge = std::abs(lorentz->charge);
       common.electric = lorentz->electric.norm();
       common.magnetic = lorentz->magnetic.norm();

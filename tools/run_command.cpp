@@ -126,7 +126,7 @@ int run(const RunOptions& options) {
   const std::string costs = finish_ledger(results.path(), progress.wall_s());
 
   if (stopping.begun()) {
-    fmt::print("stopped after {}\n{}\n", clock_text(progress.wall_s()),
+    fmt::print("stopped after {}\n{}{}\n", clock_text(progress.wall_s()), costs,
                restart_hint(options, results.path()));
     return stopped_status;
   }

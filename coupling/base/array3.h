@@ -1,6 +1,7 @@
 // A field over an IndexBox, addressed by GLOBAL cell index; x runs fastest in memory.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "coupling/base/box_grid.h"
@@ -32,7 +33,7 @@ class Array3 {
   const T& operator[](std::size_t n) const { return data_[n]; }
   T* data() { return data_.data(); }
   const T* data() const { return data_.data(); }
-  void fill(T value) { data_.assign(data_.size(), value); }
+  void fill(T value) { std::fill(data_.begin(), data_.end(), value); }
   auto begin() { return data_.begin(); }
   auto end() { return data_.end(); }
   auto begin() const { return data_.begin(); }

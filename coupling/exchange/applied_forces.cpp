@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "coupling/base/error.h"
+#include "coupling/base/listed.h"
 
 namespace gasgrain {
 namespace {
@@ -23,7 +24,7 @@ double less_by_response(double a) {
 template <class Chosen>
 const Chosen* named(const Effects& effects) {
   for (const auto& force : effects.forces)
-    if (const auto* found = std::get_if<Chosen>(&force)) return found;
+    if (const auto* found = chosen_as<Chosen>(force)) return found;
   return nullptr;
 }
 
@@ -118,7 +119,7 @@ void ForceLoop::add_motions(Block block, const ParticleView& particles, Exchange
                             const HostForces& host, double duration) {
   std::size_t n = effects_.drag ? 1 : 0;
   for (const Force& force : effects_.forces) {
-    std::visit(
+    visit_apart(
         [&](const auto& chosen) {
           using Chosen = std::decay_t<decltype(chosen)>;
           if constexpr (Chosen::kind == ForceKind::motion || Chosen::kind == ForceKind::torque) {
@@ -225,8 +226,8 @@ void ForceLoop::solve_motion(Block block, const ParticleView& particles, Exchang
     ++n;
   }
   for (const Force& chosen : effects_.forces) {
-    if (std::holds_alternative<ForceVirtualMass>(chosen)) book(virtual_mass_work);
-    if (std::holds_alternative<ForceBasset>(chosen)) book(history_work);
+    if (chosen_as<ForceVirtualMass>(chosen) != nullptr) book(virtual_mass_work);
+    if (chosen_as<ForceBasset>(chosen) != nullptr) book(history_work);
     ++n;
   }
 }
@@ -249,7 +250,7 @@ void ForceLoop::time_solve(Block block, const ParticleView& particles,
       std::copy(records.row(block.begin), records.row(block.end), copies.row(0));
       std::vector<double> forces(force + 3 * block.begin, force + 3 * block.end);
       const WallClock clock;
-      if (added_mass_ || basset_)
+      if (trial.added_mass_ || trial.memory_)
         trial.solve_motion<true>({0, count}, some, copies, forces.data(), dt, 1.0);
       else
         trial.solve_motion<false>({0, count}, some, copies, forces.data(), dt, 1.0);
@@ -274,11 +275,11 @@ void ForceLoop::time_solve(Block block, const ParticleView& particles,
     ++row;
   }
   for (const Force& chosen : effects_.forces) {
-    if (std::holds_alternative<ForceVirtualMass>(chosen)) {
+    if (chosen_as<ForceVirtualMass>(chosen) != nullptr) {
       trial.added_mass_ = true;
       switched_on(row);
     }
-    if (std::holds_alternative<ForceBasset>(chosen)) {
+    if (chosen_as<ForceBasset>(chosen) != nullptr) {
       trial.memory_ = memory_;
       switched_on(row);
     }

@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "coupling/base/error.h"
+#include "coupling/base/listed.h"
 
 namespace gasgrain {
 namespace {
@@ -219,7 +220,7 @@ RecordLayout Effects::layout(bool overlapped) const {
     layout.mean_velocity = layout.add(3);
   }
   for (const auto& force : forces)
-    if (const auto* basset = std::get_if<ForceBasset>(&force))
+    if (const auto* basset = chosen_as<ForceBasset>(force))
       layout.history = layout.add(static_cast<int>(basset->memory(1.0).state_size()));
   if (overlapped) {
     layout.position = layout.add(3);

@@ -37,6 +37,10 @@ struct SharingScheme3 {
   static constexpr bool own_drag = true;
 };
 
-using MomentumSharing = std::variant<SharingScheme3, SharingScheme1, SharingScheme2>;
+// A build may list fewer (coupling/base/listed.h).
+#ifndef GASGRAIN_MOMENTUM_SHARINGS
+#define GASGRAIN_MOMENTUM_SHARINGS SharingScheme3, SharingScheme1, SharingScheme2
+#endif
+using MomentumSharing = std::variant<GASGRAIN_MOMENTUM_SHARINGS>;
 
 }  // namespace gasgrain

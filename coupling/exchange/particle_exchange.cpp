@@ -4,24 +4,28 @@
 #include <cmath>
 
 #include "coupling/base/cost_ledger.h"
+#include "coupling/base/listed.h"
 #include "coupling/exchange/drag/polydisperse.h"
 
 namespace gasgrain {
 namespace {
 
 // Coefficient [kg/s] and velocity [m/s] of the grain by which the gas is charged.
-double gas_coefficient(const ExchangeRecords& records, bool by_mean, std::size_t p) {
+[[gnu::always_inline]] inline double gas_coefficient(const ExchangeRecords& records, bool by_mean,
+                                                     std::size_t p) {
   return by_mean ? records.row(p)[records.layout().mean_coefficient] : records.K(p);
 }
-Vec3 gas_counterpart(const ParticleView& particles, const ExchangeRecords& records, bool by_mean,
-                     std::size_t p) {
+[[gnu::always_inline]] inline Vec3 gas_counterpart(const ParticleView& particles,
+                                                   const ExchangeRecords& records, bool by_mean,
+                                                   std::size_t p) {
   if (by_mean) return records.at(p, records.layout().mean_velocity);
   return particles.v(p);
 }
 
 // u: of the gas that answers [m/s].
-void expect(const ParticleView& particles, bool by_mean, std::size_t p, const Vec3& u,
-            double interval, ExchangeRecords& records) {
+[[gnu::always_inline]] inline void expect(const ParticleView& particles, bool by_mean,
+                                          std::size_t p, const Vec3& u, double interval,
+                                          ExchangeRecords& records) {
   records.expected(p) = gas_coefficient(records, by_mean, p) * interval *
                         (u - gas_counterpart(particles, records, by_mean, p));
 }
@@ -63,8 +67,9 @@ struct SelfDisturbance {
 };
 
 // Of particles that have others near nothing is asked for, which would be the dearer part.
-SelfDisturbance self_disturbance(const ParticleView& particles, const ParticleWeights& weights,
-                                 std::size_t p, double eps) {
+[[gnu::always_inline]] inline SelfDisturbance self_disturbance(const ParticleView& particles,
+                                                               const ParticleWeights& weights,
+                                                               std::size_t p, double eps) {
   constexpr double crowded = 0.1;  // solids of others at which `alone` is 1 %
   const double volume = sphere_volume(particles.radius[p]);
   SelfDisturbance self;
@@ -78,8 +83,9 @@ SelfDisturbance self_disturbance(const ParticleView& particles, const ParticleWe
 
 // K' = K / (1 - K R), K and R at the slip grown by the same factor.
 template <class Law>
-double undisturbed(const Law& by_law, const GasProperties& gas, const SelfDisturbance& self,
-                   const Vec3& slip, DragRefresh& refresh) {
+[[gnu::noinline]] double undisturbed(const Law& by_law, const GasProperties& gas,
+                                     const SelfDisturbance& self, const Vec3& slip,
+                                     DragRefresh& refresh) {
   constexpr int passes = 3;  // each leaves less than the share itself of the error before
   double growth = 1.0;
   double K = 0.0;
@@ -136,7 +142,7 @@ DragRefresh refresh_drag(const ParticleView& particles, const ParticleWeights& w
   }
   constexpr double round_off = 1e-9;  // cells filled to the gas's own limit are at the bound
   DragRefresh refresh;
-  std::visit(
+  visit_apart(
       [&](const auto& law) {
         using Law = std::decay_t<decltype(law)>;
         for (std::size_t p = 0; p < particles.count; ++p) {
@@ -147,7 +153,7 @@ DragRefresh refresh_drag(const ParticleView& particles, const ParticleWeights& w
                                            ? SelfDisturbance{}
                                            : self_disturbance(particles, weights, p, eps);
           eps = std::clamp(eps + self.alone * self.own_solids, least_drag_void_fraction, 1.0);
-          const auto coefficient = [&](const Vec3& v) {
+          const auto coefficient = [&](const Vec3& v) __attribute__((always_inline)) {
             const Vec3 slip = records.u(p) - v;
             const auto by_law = [&](double growth) {
               const double d = 2.0 * particles.radius[p];
@@ -236,7 +242,7 @@ std::vector<double> set_gas_at_particles(const ParticleView& particles,
   std::vector<double> work(effects.names().size(), 0.0);
   std::size_t n = effects.drag ? 1 : 0;
   for (const Force& force : effects.forces) {
-    std::visit(
+    visit_apart(
         [&](const auto& chosen) {
           using Chosen = std::decay_t<decltype(chosen)>;
           if constexpr (Chosen::kind == ForceKind::steady) {

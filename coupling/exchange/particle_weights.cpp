@@ -1,4 +1,5 @@
 #include "coupling/exchange/particle_weights.h"
+#include "coupling/base/listed.h"
 
 #include <algorithm>
 #include <numeric>
@@ -18,7 +19,7 @@ namespace {
 
 // Along a periodic axis the centre must be within the tile; this also finds what is not a number,
 // before it is made a cell index. Along the other axes any number will do: it is folded.
-bool usable(const Vec3& x, const TileFrame& frame) {
+[[gnu::always_inline]] inline bool usable(const Vec3& x, const TileFrame& frame) {
   for (int d = 0; d < 3; ++d) {
     const double s = frame.in_cells(x[d], d);
     const bool good =
@@ -39,7 +40,7 @@ void ParticleWeights::find(const ParticleView& particles, const VoidFractionMeth
   weight_.clear();
   beyond_walls_ = 0;
   spread_.reset();
-  std::visit(
+  visit_apart(
       [&](const auto& chosen) {
         using Method = std::decay_t<decltype(chosen)>;
         if constexpr (Spreads<Method>::value) {

@@ -1,5 +1,6 @@
 #include "gas_solver/measures/interval_means.h"
 
+#include "coupling/base/listed.h"
 #include "gas_solver/boundary/ghosts.h"
 #include "gas_solver/grid/hydrostatic.h"
 #include "gas_solver/measures/cell_means.h"
@@ -54,7 +55,7 @@ void IntervalMeans::add_velocity(const CellVector& faces, double weight) {
 void IntervalMeans::add_pressure(const GasState& state, double weight) {
   const IndexBox own = domain_.own();
   const Array3<double>& p = state.pressure;
-  std::visit(
+  visit_apart(
       [&](const auto& rho) {
         for (int d = 0; d < 3; ++d) {
           const std::ptrdiff_t s = p.stride(d);

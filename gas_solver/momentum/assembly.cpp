@@ -1,4 +1,5 @@
 #include "gas_solver/momentum/assembly.h"
+#include "coupling/base/listed.h"
 
 #include <algorithm>
 
@@ -42,11 +43,11 @@ MomentumAssembly::MomentumAssembly(const Domain& domain, const GasInput& input)
 void MomentumAssembly::assemble(const GasState& state, int component, const CellVector& lagged,
                                 const std::vector<InflowFace>& inflow, const Turbulence* turbulence,
                                 Array3<MomentumRow>& rows) {
-  const Quantity viscosity = turbulence != nullptr
-                                 ? Quantity{FieldQuantity{turbulence->viscosity().data()}}
-                                 : Quantity{ConstantQuantity{viscosity_}};
+  const Array3<double> no_field;
+  const Quantity viscosity =
+      quantity(turbulence != nullptr ? turbulence->viscosity() : no_field, viscosity_);
   convection_.evaluate(state.convecting_flux(), lagged[component], component, inflow);
-  std::visit(
+  visit_apart(
       [&](const auto& rho, const auto& mu) { inner_rows(state, component, lagged, rho, mu, rows); },
       quantity(state.density, density_), viscosity);
   if (state.mass_source.size() > 0) add_mass_sources(state, component, rows);

@@ -20,8 +20,9 @@ class ExplicitConvection {
 
  private:
   template <class Scheme>
-  void evaluate(const Scheme& scheme, const CellVector& flux, const Array3<double>& velocity,
-                int component, const std::vector<InflowFace>& inflow);
+  [[gnu::noinline]] void evaluate(const Scheme& scheme, const CellVector& flux,
+                                  const Array3<double>& velocity, int component,
+                                  const std::vector<InflowFace>& inflow);
 
   const Domain& domain_;
   ConvectionScheme scheme_;

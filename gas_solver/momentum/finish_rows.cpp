@@ -1,5 +1,6 @@
 #include "gas_solver/momentum/finish_rows.h"
 
+#include "coupling/base/listed.h"
 #include "gas_solver/operators/quantity.h"
 
 namespace gasgrain {
@@ -34,7 +35,7 @@ void RowFinish::finish(const GasState& state, int component, const MomentumStep&
   const Array3<double>& eps = state.momentum_void_fraction();
   const std::ptrdiff_t s = eps.stride(component);
   const double per_step = 1.0 / step.length;
-  std::visit(
+  visit_apart(
       [&](const auto& rho) {
         const double* const eps_face = face_void_fraction.data();
         finish_faces(

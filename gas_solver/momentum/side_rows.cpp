@@ -2,15 +2,12 @@
 
 #include <algorithm>
 
+#include "coupling/base/listed.h"
 #include "gas_solver/boundary/unknown_faces.h"
 #include "gas_solver/grid/hydrostatic.h"
 
 namespace gasgrain {
 namespace {
-
-double value(const Quantity& of, std::ptrdiff_t cell) {
-  return std::visit([&](const auto& q) { return q(cell); }, of);
-}
 
 // Faces of a component that are unknown and lie beside a side along another axis.
 IndexBox beside(IndexBox faces, int side, const IndexBox& own) {
@@ -62,10 +59,10 @@ void SideRows::open(const GasState& state, int side, const Quantity& viscosity,
   const double outward = is_high(side) ? 1.0 : -1.0;
   const double half = 0.5 * spacing_[d];
   const double excess_weight = 0.5 * compressibility_ * gravity_at_rest_[d];
-  for_each_cell(domain_.side_faces(side), [&](int i, int j, int k) {
+  const auto row_of = [&](const auto& rho, const auto& mu_of, int i, int j, int k) {
     const auto o = eps.offset(i, j, k);
     const auto cell = o + inner_cell_offset(side, s);
-    const double mu = value(viscosity, cell);
+    const double mu = mu_of(cell);
     MomentumRow& row = rows(i, j, k);
     row.coefficient.fill(0.0);
     const double from_inside = std::max(outward * 0.5 * (flux[d][o] + flux[d][o + in]), 0.0);
@@ -86,8 +83,14 @@ void SideRows::open(const GasState& state, int side, const Quantity& viscosity,
     const double p = state.pressure[cell];
     const double gradient = outward * (0.0 - p) / half - excess_weight * p;
     row.source = state.drag_source[d][cell] - (whole_gradient_ ? 1.0 : eps[cell]) * gradient +
-                 eps[cell] * value(density, cell) * gravity_body_[d];
-  });
+                 eps[cell] * rho(cell) * gravity_body_[d];
+  };
+  visit_apart(
+      [&](const auto& rho, const auto& mu_of) {
+        for_each_cell(domain_.side_faces(side),
+                      [&](int i, int j, int k) { row_of(rho, mu_of, i, j, k); });
+      },
+      density, viscosity);
 }
 
 // What enters along a side carries no velocity along it, and the shear there is the side's own:
@@ -108,13 +111,12 @@ void SideRows::close(int component, int side, const Quantity& viscosity,
   const double wall = walls_.velocity[side][component];
   const IndexBox faces =
       beside(unknown_faces(domain_, walls_.sides, component), side, domain_.own());
-  for_each_cell(faces, [&](int i, int j, int k) {
+  const auto change_row = [&](const auto& mu, int i, int j, int k) {
     const auto o = face_void_fraction.offset(i, j, k);
     const double eps = face_void_fraction[o];
     MomentumRow& row = rows(i, j, k);
     row.coefficient[side] = 0.0;
-    row.inverse_diagonal -=
-        0.5 * (value(viscosity, o - s) + value(viscosity, o)) * eps / (h * h);  // of the inner rows
+    row.inverse_diagonal -= 0.5 * (mu(o - s) + mu(o)) * eps / (h * h);  // of the inner rows
     if (!sticks) return;
     double per_slip = (parabola ? 8.0 / 3.0 : 2.0) * molecular * eps;
     if (wall_law) {
@@ -127,7 +129,12 @@ void SideRows::close(int component, int side, const Quantity& viscosity,
     }
     row.inverse_diagonal += per_slip;
     row.source += per_slip * wall;
-  });
+  };
+  visit_apart(
+      [&](const auto& mu) {
+        for_each_cell(faces, [&](int i, int j, int k) { change_row(mu, i, j, k); });
+      },
+      viscosity);
 }
 
 // The control volume next to a face of inflow takes the patch's momentum M = rho f U^2 in full,

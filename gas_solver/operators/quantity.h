@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "coupling/base/array3.h"
+#include "coupling/base/listed.h"
 
 namespace gasgrain {
 
@@ -19,11 +20,15 @@ struct FieldQuantity {
   double operator()(std::ptrdiff_t o) const { return values[o]; }
 };
 
-using Quantity = std::variant<ConstantQuantity, FieldQuantity>;
+// A build may list fewer (coupling/base/listed.h).
+#ifndef GASGRAIN_QUANTITIES
+#define GASGRAIN_QUANTITIES ConstantQuantity, FieldQuantity
+#endif
+using Quantity = std::variant<GASGRAIN_QUANTITIES>;
 
 inline Quantity quantity(const Array3<double>& field, double constant) {
   if (field.size() == 0) return ConstantQuantity{constant};
-  return FieldQuantity{field.data()};
+  return listed<Quantity>([&] { return FieldQuantity{field.data()}; });
 }
 
 // At the face between the cell at `o` and the one before it, `s` offsets away.

@@ -1,12 +1,13 @@
 #include "gas_solver/pressure/mass_flux.h"
 
+#include "coupling/base/listed.h"
 #include "gas_solver/operators/quantity.h"
 
 namespace gasgrain {
 
 void MassFlux::update(GasState& state, const std::vector<InflowFace>& inflow) {
   const Array3<double>& eps = state.void_fraction;
-  std::visit(
+  visit_apart(
       [&](const auto& rho) {
         for (int d = 0; d < 3; ++d) {
           const Array3<double>& u = state.velocity[d];

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/base/listed.h"
 #include "gas_solver/momentum/finish_rows.h"
 #include "gas_solver/operators/quantity.h"
 
@@ -81,7 +82,7 @@ void Projection::for_each_moved_face(const GasState& state, double step, int axi
   IndexBox faces = domain_.inner_faces(axis);
   if (!domain_.touches(side_of(axis, true)))
     ++faces.hi[axis];  // the high face of the last own cell
-  std::visit(
+  visit_apart(
       [&](const auto& rho) {
         for_each_cell(faces, [&](int i, int j, int k) {
           const auto o = eps.offset(i, j, k);
@@ -134,7 +135,7 @@ void Projection::set_source(const GasState& state, double step) {
   const std::ptrdiff_t sz = flux[0].stride(2);
   const double per_step = volume / step;
   const bool sources = state.mass_source.size() > 0;
-  std::visit(
+  visit_apart(
       [&](const auto& rho, const auto& rho_before) {
         for_each_cell(domain_.own(), [&](int i, int j, int k) {
           const auto o = flux[0].offset(i, j, k);
@@ -192,7 +193,7 @@ double Projection::flow_scale(const GasState& state, double step, double inflow)
   double stored = 0;
   double through_face = 0;
   const bool sources = state.mass_source.size() > 0;
-  std::visit(
+  visit_apart(
       [&](const auto& rho, const auto& rho_before) {
         for_each_cell(domain_.own(), [&](int i, int j, int k) {
           const auto o = state.void_fraction.offset(i, j, k);

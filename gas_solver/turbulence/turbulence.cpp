@@ -10,9 +10,9 @@ Turbulence::Turbulence(const Domain& domain, const GasInput& input, Halo& halo)
 Turbulence::Models Turbulence::chosen(const Domain& domain, const GasInput& input, Halo& halo) {
   switch (input.turbulence.model) {
     case TurbulenceModel::smagorinsky:
-      return Smagorinsky(domain, input, halo);
+      return listed<Models>([&] { return Smagorinsky(domain, input, halo); });
     case TurbulenceModel::k_epsilon:
-      return KEpsilon(domain, input, halo);
+      return listed<Models>([&] { return KEpsilon(domain, input, halo); });
     case TurbulenceModel::none:
       break;
   }

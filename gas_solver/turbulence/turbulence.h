@@ -8,10 +8,16 @@
 
 #include <variant>
 
+#include "coupling/base/listed.h"
 #include "gas_solver/turbulence/k_epsilon.h"
 #include "gas_solver/turbulence/smagorinsky.h"
 
 namespace gasgrain {
+
+// A build may list fewer (coupling/base/listed.h).
+#ifndef GASGRAIN_TURBULENCE_MODELS
+#define GASGRAIN_TURBULENCE_MODELS Smagorinsky, KEpsilon
+#endif
 
 class Turbulence {
  public:
@@ -41,8 +47,8 @@ class Turbulence {
   }
 
   // For output; none of another model.
-  [[nodiscard]] const KEpsilon* k_epsilon() const { return std::get_if<KEpsilon>(&model_); }
-  [[nodiscard]] KEpsilon* k_epsilon() { return std::get_if<KEpsilon>(&model_); }
+  [[nodiscard]] const KEpsilon* k_epsilon() const { return chosen_as<KEpsilon>(model_); }
+  [[nodiscard]] KEpsilon* k_epsilon() { return chosen_as<KEpsilon>(model_); }
 
   // As in GasSolver: what a run needs to go on; restore() after it was read. Collective.
   template <class File>
@@ -54,7 +60,7 @@ class Turbulence {
   }
 
  private:
-  using Models = std::variant<Smagorinsky, KEpsilon>;
+  using Models = std::variant<GASGRAIN_TURBULENCE_MODELS>;
   static Models chosen(const Domain& domain, const GasInput& input, Halo& halo);
   Models model_;
 };

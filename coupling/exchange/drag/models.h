@@ -22,9 +22,13 @@
 
 namespace gasgrain {
 
-using DragModel =
-    std::variant<DragErgunWenYu, DragKochHill, DragDiFelice, DragGidaspow, DragGidaspowBlend,
-                 DragHillKochLadd, DragBeetstra, DragTenneti, DragTang, DragSchillerNaumann>;
+// A build may list fewer (coupling/base/listed.h).
+#ifndef GASGRAIN_DRAG_MODELS
+#define GASGRAIN_DRAG_MODELS                                                                     \
+  DragErgunWenYu, DragKochHill, DragDiFelice, DragGidaspow, DragGidaspowBlend, DragHillKochLadd, \
+      DragBeetstra, DragTenneti, DragTang, DragSchillerNaumann
+#endif
+using DragModel = std::variant<GASGRAIN_DRAG_MODELS>;
 
 // No packing of spheres is denser than 0.26; a method that puts a whole particle into one cell can
 // report less, and no law means anything there.

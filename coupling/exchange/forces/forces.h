@@ -23,7 +23,12 @@
 
 namespace gasgrain {
 
-using Force = std::variant<ForcePressureGradient, ForceViscousStress, ForceVirtualMass, ForceBasset,
-                           ForceSaffmanMei, ForceMagnus, ForceRotationTorque, ForceLorentz>;
+// A build may list fewer (coupling/base/listed.h).
+#ifndef GASGRAIN_FORCES
+#define GASGRAIN_FORCES                                                                      \
+  ForcePressureGradient, ForceViscousStress, ForceVirtualMass, ForceBasset, ForceSaffmanMei, \
+      ForceMagnus, ForceRotationTorque, ForceLorentz
+#endif
+using Force = std::variant<GASGRAIN_FORCES>;
 
 }  // namespace gasgrain

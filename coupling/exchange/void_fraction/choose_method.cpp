@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "coupling/base/listed.h"
+
 namespace gasgrain {
 namespace {
 
@@ -37,7 +39,7 @@ MethodChoice choose_method(double smallest_radius, double largest_radius, const 
         ". That is {:.2g} cells across a particle, more than the {:g} it was measured for: drag "
         "laws know nothing of a flow resolved so finely, and coarser cells would do",
         diameter / h.minCoeff(), most_cells_across);
-  return {kernel, reason};
+  return {listed<VoidFractionMethod>([&] { return kernel; }), reason};
 }
 
 }  // namespace gasgrain

@@ -26,9 +26,13 @@
 
 namespace gasgrain {
 
-using VoidFractionMethod =
-    std::variant<VoidFractionCentre, VoidFractionOffset, VoidFractionTrilinear, VoidFractionExact,
-                 VoidFractionKernel, VoidFractionParticleGrid>;
+// A build may list fewer (coupling/base/listed.h).
+#ifndef GASGRAIN_VOID_FRACTION_METHODS
+#define GASGRAIN_VOID_FRACTION_METHODS                                              \
+  VoidFractionCentre, VoidFractionOffset, VoidFractionTrilinear, VoidFractionExact, \
+      VoidFractionKernel, VoidFractionParticleGrid
+#endif
+using VoidFractionMethod = std::variant<GASGRAIN_VOID_FRACTION_METHODS>;
 
 template <class Method, class = void>
 struct Spreads : std::false_type {};

@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "coupling/base/error.h"
+#include "coupling/base/listed.h"
 
 namespace gasgrain {
 namespace {
@@ -24,9 +25,9 @@ struct Number {
 };
 
 Number number_of(VoidFractionMethod& method) {
-  if (auto* kernel = std::get_if<VoidFractionKernel>(&method))
+  if (auto* kernel = chosen_as<VoidFractionKernel>(method))
     return {&kernel->width, "width", 0.5, 20.0, VoidFractionKernel::default_width};
-  if (auto* grid = std::get_if<VoidFractionParticleGrid>(&method))
+  if (auto* grid = chosen_as<VoidFractionParticleGrid>(method))
     return {&grid->size, "size", 1.0, 20.0, VoidFractionParticleGrid::default_size};
   return {};
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <variant>
 
+#include "coupling/base/listed.h"
 #include "gas_solver/operators/convection/blend.h"
 #include "gas_solver/operators/convection/central.h"
 #include "gas_solver/operators/convection/quick.h"
@@ -19,24 +20,28 @@ namespace gasgrain {
 enum class Convection { upwind, central, blend, quick, tvd };
 inline constexpr std::array<std::string_view, 5> convection_names{"upwind", "central", "blend",
                                                                   "quick", "tvd"};
-using ConvectionScheme = std::variant<ConvectionUpwind, ConvectionCentral, ConvectionBlend,
-                                      ConvectionQuick, ConvectionTvd>;
+// A build may list fewer (coupling/base/listed.h).
+#ifndef GASGRAIN_CONVECTION_SCHEMES
+#define GASGRAIN_CONVECTION_SCHEMES \
+  ConvectionUpwind, ConvectionCentral, ConvectionBlend, ConvectionQuick, ConvectionTvd
+#endif
+using ConvectionScheme = std::variant<GASGRAIN_CONVECTION_SCHEMES>;
 
 // `upwind_share`: of "blend".
 inline ConvectionScheme convection_scheme(Convection name, double upwind_share) {
   switch (name) {
     case Convection::upwind:
-      return ConvectionUpwind{};
+      return listed<ConvectionScheme>([] { return ConvectionUpwind{}; });
     case Convection::central:
-      return ConvectionCentral{};
+      return listed<ConvectionScheme>([] { return ConvectionCentral{}; });
     case Convection::blend:
-      return ConvectionBlend{upwind_share};
+      return listed<ConvectionScheme>([&] { return ConvectionBlend{upwind_share}; });
     case Convection::quick:
-      return ConvectionQuick{};
+      return listed<ConvectionScheme>([] { return ConvectionQuick{}; });
     case Convection::tvd:
       break;
   }
-  return ConvectionTvd{};
+  return listed<ConvectionScheme>([] { return ConvectionTvd{}; });
 }
 
 }  // namespace gasgrain
