@@ -16,7 +16,7 @@ HOST = {"total", "setup", "pair forces", "neighbour lists", "DEM communication",
         "integration", "other fixes", "other"}
 COUPLING = {"coupling: void fraction", "coupling: transport", "coupling: waiting for the gas",
             "coupling: sampling", "coupling: history", "coupling: DEM ranks in step",
-            "coupling: forces, every step"}
+            "coupling: forces, every step", "coupling: looking for faults", "coupling: audit"}
 DRAG = {"coupling: drag law", "coupling: drag of the gas", "coupling: force drag"}
 GAS = {"total", "setup", "boundaries", "momentum", "pressure", "means",
        "measures", "output", "other"}
