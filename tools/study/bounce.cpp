@@ -192,4 +192,14 @@ std::optional<BounceErrors> measure_bounce(const GrainMaterial& material,
   return errors;
 }
 
+void add_bounce_figures(const GrainMaterial& material, const std::string& contact, double step,
+                        const fs::path& folder, Figures& figures) {
+  const auto bounce = measure_bounce(material, contact, step, study_impact_speed, folder);
+  if (!bounce) return;
+  figures.set("restitution_error", bounce->restitution);
+  figures.set("contact_time_error", bounce->contact_time);
+  figures.set("energy_drift", bounce->energy);
+  figures.set("contact_time_s", bounce->contact_time_s);
+}
+
 }  // namespace gasgrain

@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "tools/study/study_point.h"
+
 namespace gasgrain {
 
 // Of grains and walls alike, as the scene has them.
@@ -46,5 +48,13 @@ struct BounceErrors {
 std::optional<BounceErrors> measure_bounce(const GrainMaterial& material,
                                            const std::string& contact, double step, double speed,
                                            const std::filesystem::path& folder);
+
+// The speed [m/s] of the bounces of a study, and of its linear stiffness.
+constexpr double study_impact_speed = 1.0;
+
+// Adds restitution_error, contact_time_error, energy_drift and contact_time_s [s] of such a bounce;
+// nothing where there is no analytic solution.
+void add_bounce_figures(const GrainMaterial& material, const std::string& contact, double step,
+                        const std::filesystem::path& folder, Figures& figures);
 
 }  // namespace gasgrain

@@ -10,8 +10,6 @@
 namespace gasgrain {
 namespace {
 
-constexpr double impact_speed = 1.0;  // m/s
-
 std::vector<std::string> findings(const std::vector<StudyRow>& rows, double) {
   const StudyRow& first = rows.front();
   std::vector<std::string> lines;
@@ -63,12 +61,7 @@ Study plan_contact_model(const SceneCopy& scene, const StudyOptions& options) {
   }
   study.add_figures = [material, step](const StudyPoint& point, const std::filesystem::path& folder,
                                        Figures& figures) {
-    const auto bounce =
-        measure_bounce(material, point.dials[0].second, step, impact_speed, folder / "bounce");
-    if (!bounce) return;
-    figures.set("restitution_error", bounce->restitution);
-    figures.set("contact_time_error", bounce->contact_time);
-    figures.set("contact_time_s", bounce->contact_time_s);
+    add_bounce_figures(material, point.dials[0].second, step, folder / "bounce", figures);
   };
   study.findings = findings;
   return study;

@@ -7,8 +7,6 @@
 namespace gasgrain {
 namespace {
 
-constexpr double impact_speed = 1.0;  // m/s
-
 std::vector<std::string> findings(const std::vector<StudyRow>& rows, double) {
   constexpr double enough = 0.01;
   double longest = std::nan("");
@@ -33,7 +31,7 @@ Study plan_dem_step(const SceneCopy& scene, const StudyOptions& options) {
   const double interval = number_of(scene, "interval");
   const std::string contact = scene.variable("contact");
   const GrainMaterial material = scene_material(options.scene);
-  const auto duration = contact_duration(material, contact, impact_speed);
+  const auto duration = contact_duration(material, contact, study_impact_speed);
   if (!duration)
     fail("{}: the contact time of `{}` is not known to this study: it knows hertz and hooke.",
          scene.script_path(), contact);
@@ -63,12 +61,8 @@ Study plan_dem_step(const SceneCopy& scene, const StudyOptions& options) {
   study.add_figures = [material, contact](const StudyPoint& point,
                                           const std::filesystem::path& folder, Figures& figures) {
     figures.set("step_over_contact_time", std::stod(point.dials[0].second));
-    const auto bounce = measure_bounce(material, contact, std::stod(point.variables[0].second),
-                                       impact_speed, folder / "bounce");
-    if (!bounce) return;
-    figures.set("restitution_error", bounce->restitution);
-    figures.set("contact_time_error", bounce->contact_time);
-    figures.set("energy_drift", bounce->energy);
+    add_bounce_figures(material, contact, std::stod(point.variables[0].second), folder / "bounce",
+                       figures);
   };
   study.findings = findings;
   return study;

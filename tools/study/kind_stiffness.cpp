@@ -11,8 +11,6 @@
 namespace gasgrain {
 namespace {
 
-constexpr double impact_speed = 1.0;  // m/s, of the bounce and of the linear stiffness
-
 // The contact time falls as E^-0.4, at any speed, for Hertz's contact and LIGGGHTS's hooke alike.
 constexpr double step_exponent = -0.4;
 
@@ -82,7 +80,7 @@ Study plan_stiffness(const SceneCopy& scene, const StudyOptions& options) {
     StudyPoint point;
     point.name = "E_" + text_of(value);
     point.dials = {{"youngs_Pa", text_of(value)},
-                   {"linear_stiffness_N_m", text_of(linear_stiffness(changed, impact_speed))},
+                   {"linear_stiffness_N_m", text_of(linear_stiffness(changed, study_impact_speed))},
                    {"dt_s", text_of(own)}};
     point.variables = {{"youngs", text_of(value)}, {"dt", fmt::format("{:.12g}", own)}};
     // Packed stiff, the bed sinks into its new overlaps; packed soft, it would leap.
@@ -96,12 +94,7 @@ Study plan_stiffness(const SceneCopy& scene, const StudyOptions& options) {
     GrainMaterial own = material;
     own.youngs = std::stod(point.dials[0].second);
     figures.set("linear_stiffness_N_m", std::stod(point.dials[1].second));
-    const auto bounce = measure_bounce(own, contact, std::stod(point.dials[2].second), impact_speed,
-                                       folder / "bounce");
-    if (!bounce) return;
-    figures.set("restitution_error", bounce->restitution);
-    figures.set("contact_time_error", bounce->contact_time);
-    figures.set("contact_time_s", bounce->contact_time_s);
+    add_bounce_figures(own, contact, std::stod(point.dials[2].second), folder / "bounce", figures);
   };
   study.findings = findings;
   return study;

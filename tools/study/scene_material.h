@@ -7,8 +7,8 @@
 
 namespace gasgrain {
 
-// Of type 1, with the contact properties of type 1 on itself; where grains have several sizes, the
-// first that the script names. Throws an Error that names what the script lacks.
+// Of the largest grains; of several types the contacts that advise_scene.h takes. Throws an Error
+// that names what the script lacks.
 GrainMaterial scene_material(const std::filesystem::path& scene);
 
 }  // namespace gasgrain
