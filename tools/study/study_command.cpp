@@ -104,6 +104,13 @@ void read_figures(const Study& study, const StudyOptions& options, const PointRu
   if (study.add_figures) study.add_figures(row.point, runner.results(row.point), row.figures);
 }
 
+// How many times as fast as its reference a point is.
+void set_speed_up(const Study& study, const std::vector<StudyRow>& rows, StudyRow& row) {
+  const StudyRow* reference = row_of(rows, reference_of(row.point, study).name);
+  if (reference != nullptr && reference != &row)
+    row.figures.set("speed_up", reference->figures.get(study_cost) / row.figures.get(study_cost));
+}
+
 std::string told(const Study& study, const StudyRow& row, std::size_t n, std::size_t all) {
   const std::string head = fmt::format("{} of {}  {}", n + 1, all, row.point.name);
   if (!row.ok()) return fmt::format("{}  FAILED: {}", head, row.status);
@@ -181,6 +188,7 @@ int study(const StudyOptions& options) {
     if (row.status.empty()) break;
     try {
       if (row.ok()) read_figures(plan, options, runner, row);
+      if (row.ok()) set_speed_up(plan, rows, row);
     } catch (const Error& e) {
       row.status = e.what();
       row.figures = {};
