@@ -8,8 +8,8 @@
 namespace gasgrain {
 
 // Adds, from ledger.json (DEM side, the greatest of its ranks) and history.csv (gas stage):
-//   wall_s_per_s        wall seconds of the DEM steps, coupling and waiting included, a simulated
-//                       second
+//   wall_s_per_s        wall seconds from the couple/gas line on, coupling and waiting included, a
+//                       simulated second
 //   void_fraction_share, waiting_share, gas_share   shares of that time: finding and depositing
 //   void
 //                       fraction, waiting for the gas, all of coupling, gas and waiting
