@@ -108,7 +108,7 @@ class FixCoupleGas : public Fix {
   // Costs, fix_couple_gas_costs.cpp.
   void begin_setup_costs();
   void end_setup_costs();
-  void charge_fixes(double sign);
+  void charge_fixes();
   void take_host_costs();
   void tell_costs();
   // The audit: fix_couple_gas_audit.cpp

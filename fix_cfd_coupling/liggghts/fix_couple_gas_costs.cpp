@@ -43,15 +43,16 @@ void FixCoupleGas::end_setup_costs() {
   // all.
   times_fixes_ = modify->timing == 0;
   if (times_fixes_) modify->timing = 1;
-  charge_fixes(-1.0);
+  // It begins anew with each run, but only after this.
+  for (int n = 0; n < modify->nfix; ++n) modify->fix[n]->reset_time_recording();
 }
 
 // Ours has tasks of its own.
-void FixCoupleGas::charge_fixes(double sign) {
+void FixCoupleGas::charge_fixes() {
   auto& costs = coupled_->costs();
   for (int n = 0; n < modify->nfix; ++n)
     if (const Fix& fix = *modify->fix[n]; &fix != this)
-      costs.charge(costs.task(task_of(fix.style)), sign * fix.get_recorded_time());
+      costs.charge(costs.task(task_of(fix.style)), fix.get_recorded_time());
 }
 
 void FixCoupleGas::take_host_costs() {
@@ -60,7 +61,7 @@ void FixCoupleGas::take_host_costs() {
   costs.charge(costs.task("neighbour lists"), timer->array[TIME_NEIGHBOR]);
   costs.charge(costs.task("DEM communication"), timer->array[TIME_COMM]);
   costs.charge(costs.task("output"), timer->array[TIME_OUTPUT]);
-  charge_fixes(1.0);
+  charge_fixes();
   if (times_fixes_) modify->timing = 0;
 }
 

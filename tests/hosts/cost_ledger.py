@@ -53,6 +53,16 @@ class CostLedger(unittest.TestCase):
         # Each is rounded to 0.1 %.
         self.assertAlmostEqual(sum(rows), 100.0, delta=0.05 * len(rows))
 
+    def test_fixes_are_timed_in_every_run_of_a_script(self):
+        # A quarter of the steps in the last run: timed there alone, walls would have a quarter of
+        # their share.
+        couple = COUPLE
+        once, _ = self.coupled(couple)
+        thrice, _ = self.coupled(couple, extra="run 1500")
+        share = [seconds(ledger["dem"])["walls"] / seconds(ledger["dem"])["pair forces"]
+                 for ledger in (once, thrice)]
+        self.assertGreater(share[1], 0.5 * share[0])
+
     def test_every_task_of_both_sides_has_a_row_and_they_sum_to_the_whole(self):
         for dem_ranks, gas_ranks in ((1, 1), (2, 2)):
             with self.subTest(ranks=(dem_ranks, gas_ranks)):
