@@ -7,6 +7,7 @@
 
 #include "coupling/exchange/effect_sizes/electrostatics.h"
 #include "fix_cfd_coupling/dem_physics/adhesion/contact_potential.h"
+#include "tests/refusal.h"
 
 namespace gasgrain::adhesion {
 namespace {
@@ -131,16 +132,6 @@ TEST(contact_potential, is_the_leading_term_of_the_exact_force_of_a_sphere_above
     last = error;
   }
   EXPECT_LT(last, 4e-4);
-}
-
-template <class Law>
-std::string message(const Law& law) {
-  try {
-    check(law);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(electrostatic, refuses_what_cannot_be_and_names_all_of_it) {

@@ -7,6 +7,7 @@
 #include "fix_cfd_coupling/dem_physics/contact_time.h"
 #include "fix_cfd_coupling/dem_physics/rolling/rolling_limited.h"
 #include "fix_cfd_coupling/dem_physics/rolling/rolling_viscous.h"
+#include "tests/refusal.h"
 
 namespace gasgrain::rolling {
 namespace {
@@ -117,16 +118,6 @@ TEST(rolling_friction, of_no_strength_is_none_bit_for_bit) {
   EXPECT_EQ((before + RollingViscous{}.torque(w, 0.02, 1e-3)).eval(), before);
   EXPECT_EQ((before + RollingLimited{}.torque(w, 0.02, 1e-3)).eval(), before);
   EXPECT_EQ((before + RollingLimited{0.0, 1e-3}.torque(w, 0.02, 1e-3)).eval(), before);
-}
-
-template <class Law>
-std::string message(const Law& law) {
-  try {
-    check(law);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(rolling_friction, refuses_what_cannot_be_and_names_all_of_it) {

@@ -8,6 +8,7 @@
 #include "fix_cfd_coupling/dem_physics/adhesion/neck_contact_time.h"
 #include "fix_cfd_coupling/dem_physics/adhesion/neck_strength.h"
 #include "fix_cfd_coupling/dem_physics/adhesion/sintered_neck.h"
+#include "tests/refusal.h"
 
 namespace gasgrain::adhesion {
 namespace {
@@ -224,16 +225,6 @@ TEST(neck_contact_time, the_sources_constant_is_hertzs_with_the_mass_of_one_grai
   const auto form = [&](double mass) { return std::pow(mass * mass / (xi * xi * speed), 0.2); };
   EXPECT_NEAR(exact / form(0.5 * m), 3.218, 1e-3);
   EXPECT_NEAR(exact / form(m), 2.44, 5e-3);
-}
-
-template <class Law>
-std::string message(const Law& law) {
-  try {
-    check(law);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(sintered_neck, refuses_what_cannot_be_and_names_all_of_it) {
