@@ -5,6 +5,7 @@
 // then adds.
 #include <dlfcn.h>
 
+#include "fix_cfd_coupling/liggghts/contact_styles.h"
 #include "fix_cfd_coupling/liggghts/fix_couple_gas.h"
 #include "fix_cfd_coupling/liggghts/host_access.h"
 #include "fix_cfd_coupling/liggghts/host_error.h"
@@ -17,6 +18,7 @@ LAMMPS_NS::Fix* make_fix(LAMMPS_NS::LAMMPS* host, int narg, char** arg) {
 }
 
 void register_styles(LAMMPS_NS::LAMMPS& host) {
+  gasgrain::register_contact_styles();
   gasgrain::fix_map(host)["couple/gas"] = &make_fix<LAMMPS_NS::FixCoupleGas>;
 }
 
