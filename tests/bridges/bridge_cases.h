@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "coupling/exchange/choice_list.h"
+#include "coupling/base/choice_list.h"
 #include "fix_cfd_coupling/dem_physics/bridge/bridges.h"
 
 namespace gasgrain::bridge::test {

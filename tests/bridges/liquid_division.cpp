@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "coupling/exchange/choice_list.h"
+#include "coupling/base/choice_list.h"
 #include "fix_cfd_coupling/dem_physics/liquid/divisions.h"
 
 namespace gasgrain::liquid {

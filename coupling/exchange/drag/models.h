@@ -8,7 +8,7 @@
 
 #include <variant>
 
-#include "coupling/exchange/choice_list.h"
+#include "coupling/base/choice_list.h"
 #include "coupling/exchange/drag/beetstra.h"
 #include "coupling/exchange/drag/di_felice.h"
 #include "coupling/exchange/drag/ergun_wen_yu.h"

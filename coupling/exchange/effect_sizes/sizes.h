@@ -7,7 +7,7 @@
 #include <utility>
 #include <variant>
 
-#include "coupling/exchange/choice_list.h"
+#include "coupling/base/choice_list.h"
 #include "coupling/exchange/effect_sizes/basset.h"
 #include "coupling/exchange/effect_sizes/convection.h"
 #include "coupling/exchange/effect_sizes/depth_correction.h"

@@ -11,7 +11,7 @@
 
 #include <variant>
 
-#include "coupling/exchange/choice_list.h"
+#include "coupling/base/choice_list.h"
 #include "coupling/exchange/forces/basset.h"
 #include "coupling/exchange/forces/lorentz.h"
 #include "coupling/exchange/forces/magnus.h"

@@ -16,7 +16,7 @@
 #include <type_traits>
 #include <variant>
 
-#include "coupling/exchange/choice_list.h"
+#include "coupling/base/choice_list.h"
 #include "coupling/exchange/void_fraction/centre.h"
 #include "coupling/exchange/void_fraction/exact.h"
 #include "coupling/exchange/void_fraction/kernel.h"

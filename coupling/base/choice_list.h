@@ -1,4 +1,4 @@
-// What the LISTs of this folder share. A LIST is a std::variant whose alternatives are small
+// What LISTs share. A LIST is a std::variant whose alternatives are small
 // structs with a `name`; a choice is made once by name and visited outside of the loops.
 #pragma once
 
