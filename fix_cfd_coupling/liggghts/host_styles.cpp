@@ -7,6 +7,7 @@
 
 #include "fix_cfd_coupling/liggghts/contact_styles.h"
 #include "fix_cfd_coupling/liggghts/fix_couple_gas.h"
+#include "fix_cfd_coupling/liggghts/fix_liquid.h"
 #include "fix_cfd_coupling/liggghts/host_access.h"
 #include "fix_cfd_coupling/liggghts/host_error.h"
 
@@ -20,6 +21,7 @@ LAMMPS_NS::Fix* make_fix(LAMMPS_NS::LAMMPS* host, int narg, char** arg) {
 void register_styles(LAMMPS_NS::LAMMPS& host) {
   gasgrain::register_contact_styles();
   gasgrain::fix_map(host)["couple/gas"] = &make_fix<LAMMPS_NS::FixCoupleGas>;
+  gasgrain::fix_map(host)["liquid"] = &make_fix<LAMMPS_NS::FixLiquid>;
 }
 
 }  // namespace

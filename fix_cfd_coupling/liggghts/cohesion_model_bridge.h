@@ -1,0 +1,195 @@
+// `cohesion bridge`: liquid bridges between grains, and between a grain and a wall, that keep their
+// liquid. The liquid is that of `fix liquid` (fix_liquid.h), the laws are in dem_physics/bridge and
+// dem_physics/liquid; properties and words: none.
+//
+// A bridge of two grains is kept in the contact's history, one to a wall by fix liquid. Friction's
+// limit needs no correction: what a bridge pulls, the contact pushes back, and that is what the
+// tangential model sees.
+#ifdef COHESION_MODEL
+COHESION_MODEL(COHESION_BRIDGE, bridge, 20)
+#else
+#ifndef GASGRAIN_COHESION_MODEL_BRIDGE_H
+#define GASGRAIN_COHESION_MODEL_BRIDGE_H
+
+#include <cmath>
+
+#include "fix_cfd_coupling/dem_physics/liquid/bridge_force.h"
+#include "fix_cfd_coupling/dem_physics/liquid/grain_bridges.h"
+#include "fix_cfd_coupling/liggghts/contact_styles_cohesion_base.h"
+#include "fix_cfd_coupling/liggghts/fix_liquid.h"
+// --
+#include "atom.h"
+#include "fix_mesh_surface.h"
+#include "tri_mesh.h"
+#include "update.h"
+
+namespace LIGGGHTS {
+namespace ContactModels {
+
+template <>
+class CohesionModel<COHESION_BRIDGE> : public gasgrain::OwnCohesionModel {
+  using Vec3 = gasgrain::Vec3;
+  using StoredBridge = gasgrain::liquid::StoredBridge;
+
+ public:
+  CohesionModel(LAMMPS_NS::LAMMPS* host, History* history, Model* model)
+      : OwnCohesionModel(host, history, model) {
+    if (model->is_wall()) return;
+    history_offset_ = history->add_history_value("bridge_volume", "0");
+    history->add_history_value("bridge_lean", "1");
+    history->add_history_value("bridge_rupture", "0");
+    model->add_history_offset("bridge_volume", history_offset_);
+  }
+
+  void registerSettings(Settings&) override {}
+
+  void connectToProperties(PropertyRegistry&) override {
+    refuse_coarse_grains("cohesion bridge");
+    liquid_ = &LAMMPS_NS::FixLiquid::of_scene(lmp);
+    if (auto* wall = dynamic_cast<LAMMPS_NS::FixWallGran*>(history_)) {
+      wall_fix_ = wall;
+      wall_ = &liquid_->join_wall(*wall);
+    } else if (const double reach = liquid_->join_pairs(history_offset_); reach > 0.0) {
+      reach_ = reach;
+      neighbor->register_contact_dist_factor(1.0 + reach);
+    }
+  }
+
+  void surfacesIntersect(Intersect& data, Force& i, Force& j) override { act(data, i, j); }
+  void surfacesClose(Close& data, Force& i, Force& j) override { act(data, i, j); }
+
+ private:
+  void act(Close& data, Force& i, Force& j) {
+    if (!liquid_->wet()) return;
+    if (data.is_wall)
+      act_on_wall(data, i);
+    else
+      act_on_pair(data, i, j);
+  }
+
+  static StoredBridge& stored(double* at) {
+    static_assert(sizeof(StoredBridge) == StoredBridge::size * sizeof(double));
+    return *reinterpret_cast<StoredBridge*>(at);
+  }
+
+  void act_on_pair(Close& data, Force& force_i, Force& force_j) {
+    namespace liquid = gasgrain::liquid;
+    StoredBridge& bridge = stored(data.contact_history + history_offset_);
+    const int i = data.i;
+    const int j = data.j;
+    const auto& settings = liquid_->settings();
+    auto& films = liquid_->films();
+    double distance = std::sqrt(data.rsq);
+    const liquid::GrainPair pair{i,
+                                 j,
+                                 true,
+                                 j < atom->nlocal,
+                                 data.radi,
+                                 data.radj,
+                                 data.itype - 1,
+                                 data.jtype - 1,
+                                 atom->tag[i],
+                                 atom->tag[j]};
+    const bool updates = data.computeflag != 0 && data.shearupdate != 0;
+    if (bridge.absent() &&
+        (!updates || distance - data.radsum >
+                         1e-9 * data.radsum + liquid::deciding_gap(settings, films, pair, bridge)))
+      return;
+    // Across a periodic face the two owners see distances that differ in their last digits; what
+    // they decide must not.
+    const Vec3 apart = liquid_->periodic() ? liquid_->between(i, j)
+                                           : Vec3(data.delta[0], data.delta[1], data.delta[2]);
+    distance = apart.norm();
+    const Vec3 normal = apart / distance;
+    const double gap = distance - data.radsum;
+    const Vec3 velocity = vec(data.v_i) - vec(data.v_j);
+    if (updates) {
+      const double reach = reach_ * data.radsum;
+      const double next_gap = gap + 2.0 * std::abs(velocity.dot(normal)) * update->dt;
+      liquid::advance(settings, films, liquid_->counts(), pair, bridge, gap, next_gap, reach);
+    }
+    if (data.contact_flags != nullptr) {
+      if (bridge.absent())
+        *data.contact_flags &= ~CONTACT_COHESION_MODEL;
+      else
+        *data.contact_flags |= CONTACT_COHESION_MODEL;
+    }
+    if (!bridge.stands()) return;
+    const double share_i = gap / data.radsum;
+    const liquid::BridgeMotion motion{gap,
+                                      normal,
+                                      velocity,
+                                      vec(atom->omega[i]),
+                                      vec(atom->omega[j]),
+                                      data.radi * (1.0 + share_i),
+                                      data.radj * (1.0 + share_i),
+                                      update->dt * (bridges_over_mass(i) + bridges_over_mass(j))};
+    const auto pull =
+        liquid::bridge_force(settings, liquid::bridge_between(settings, pair, bridge.volume),
+                             motion, liquid_->held_back());
+    for (int d = 0; d < 3; ++d) {
+      force_i.delta_F[d] += pull.on_i[d];
+      force_j.delta_F[d] -= pull.on_i[d];
+      force_i.delta_torque[d] += pull.torque_i[d];
+      force_j.delta_torque[d] += pull.torque_j[d];
+    }
+    data.has_force_update = true;
+  }
+
+  void act_on_wall(Close& data, Force& force_i) {
+    namespace liquid = gasgrain::liquid;
+    const int i = data.i;
+    const double distance = std::sqrt(data.rsq);
+    const double gap = distance - data.radi;
+    const double place = place_of(data);
+    auto& slot = wall_->slot(i);
+    const bool here = data.computeflag != 0 && data.shearupdate != 0
+                          ? wall_->see(i, place, gap)
+                          : slot.bridge.stands() && slot.place == place;
+    if (!here || gap > slot.bridge.rupture) return;
+    const Vec3 normal = Vec3(data.delta[0], data.delta[1], data.delta[2]) / distance;
+    const liquid::BridgeMotion motion{gap,
+                                      normal,
+                                      vec(data.v_i) - vec(data.v_j),
+                                      vec(atom->omega[i]),
+                                      Vec3::Zero(),
+                                      data.radi + gap,
+                                      0.0,
+                                      update->dt * bridges_over_mass(i)};
+    const auto pull = liquid::bridge_force(
+        liquid_->settings(),
+        wall_->bridge_of(liquid_->settings(), data.radi, data.itype - 1, slot.bridge.volume),
+        motion, liquid_->held_back());
+    for (int d = 0; d < 3; ++d) {
+      force_i.delta_F[d] += pull.on_i[d];
+      force_i.delta_torque[d] += pull.torque_i[d];
+    }
+    data.has_force_update = true;
+  }
+
+  // Triangles have numbers of their own in each mesh of the wall; a primitive wall is one place.
+  [[nodiscard]] double place_of(const Close& data) const {
+    if (!wall_fix_->is_mesh_wall()) return 0.0;
+    int mesh = 0;
+    while (mesh < wall_fix_->n_meshes() && wall_fix_->mesh_list()[mesh] != data.fix_mesh) ++mesh;
+    constexpr double meshes = 1024.0;
+    return meshes * (1.0 + data.mesh->id(data.j)) + mesh;
+  }
+
+  [[nodiscard]] double bridges_over_mass(int k) const {
+    return std::max(1.0, liquid_->films().published(k).bridges) / atom->rmass[k];
+  }
+
+  static Vec3 vec(const double* v) { return {v[0], v[1], v[2]}; }
+
+  int history_offset_ = -1;
+  double reach_ = 0.0;
+  LAMMPS_NS::FixLiquid* liquid_ = nullptr;
+  LAMMPS_NS::FixWallGran* wall_fix_ = nullptr;
+  gasgrain::liquid::WallBridges* wall_ = nullptr;
+};
+
+}  // namespace ContactModels
+}  // namespace LIGGGHTS
+#endif
+#endif

@@ -1,0 +1,130 @@
+// fix ID all liquid KEYWORD VALUE...
+//
+// The liquid of the scene: films on the grains and walls, and the rules by which `cohesion bridge`
+// of `pair_style gran` and of `fix wall/gran` makes bridges of them. LIGGGHTS's dialect only: the
+// physics is in dem_physics/liquid, the keywords in liquid_settings.h.
+//
+// Films are the property `liquidFilm` [m3] of the grains: `set ... property/atom liquidFilm V`
+// sets, `f_liquidFilm` shows them.
+// f_ID[1..9]: liquid in films, bridges of grains, bridges to walls, films of walls, come in, gone
+// [m3]; what of them does not add up, over the whole; bridges; greatest saturation at a grain.
+// Of a grain, f_ID[1..2]: bridges, liquid in them (half of those with grains) [m3].
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "coupling/base/vec3.h"
+#include "fix_cfd_coupling/dem_physics/liquid/grain_bridges.h"
+#include "fix_cfd_coupling/dem_physics/liquid/liquid_ledger.h"
+#include "fix_cfd_coupling/dem_physics/liquid/liquid_settings.h"
+#include "fix_cfd_coupling/dem_physics/liquid/wall_bridges.h"
+// --
+#include "fix.h"
+
+namespace LAMMPS_NS {
+
+class FixPropertyAtom;
+class FixWallGran;
+class PairGran;
+
+class FixLiquid : public Fix {
+ public:
+  FixLiquid(LAMMPS* host, int narg, char** arg);
+  ~FixLiquid() override;
+
+  int setmask() override;
+  void post_create() override;
+  void pre_delete(bool unfixed) override;
+  void init() override;
+  void setup_pre_force(int) override;
+  void setup(int) override;
+  void pre_exchange() override;
+  void pre_force(int) override;
+  void end_of_step() override;
+  void post_run() override;
+
+  void grow_arrays(int size) override;
+  void copy_arrays(int from, int to, int) override;
+  void set_arrays(int grain) override;
+  int pack_exchange(int grain, double* buffer) override;
+  int unpack_exchange(int grain, double* buffer) override;
+  int pack_restart(int grain, double* buffer) override;
+  void unpack_restart(int grain, int nth) override;
+  int size_restart(int) override;
+  int maxsize_restart() override;
+  void write_restart(FILE* file) override;
+  void restart(char* data) override;
+  int pack_comm(int count, int* list, double* buffer, int, int*) override;
+  void unpack_comm(int count, int first, double* buffer) override;
+
+  double compute_vector(int n) override;
+  double memory_usage() override;
+
+  // For the contact models. The fix of the scene; ends the launch when there is none.
+  static FixLiquid& of_scene(LAMMPS* host);
+  // The pair style has bridges: their place in the history of a contact. Returns the greatest gap
+  // of a bridge, over r_i + r_j; 0: there is no liquid at all.
+  double join_pairs(int history_offset);
+  gasgrain::liquid::WallBridges& join_wall(FixWallGran& wall);
+
+  [[nodiscard]] bool wet() const { return wet_; }
+  [[nodiscard]] bool periodic() const { return periodic_; }
+  [[nodiscard]] double reach() const { return reach_; }
+  [[nodiscard]] const gasgrain::liquid::LiquidSettings& settings() const { return settings_; }
+  gasgrain::liquid::GrainFilms& films() { return films_; }
+  gasgrain::liquid::BridgeCounts& counts() { return counts_; }
+  double& held_back() { return held_back_; }
+  // From k to i, the same to the last digit whoever owns them.
+  [[nodiscard]] gasgrain::Vec3 between(int i, int k) const;
+
+ private:
+  void meet_new_grains();
+  void publish_films();
+  void check_films() const;
+  void part_with_removed_walls();
+  void check_walls() const;
+  void take_back_from_lost_partners();
+  void settle_walls();
+  // fix_liquid_ledger.cpp
+  void begin_ledger();
+  void record();
+  [[nodiscard]] gasgrain::liquid::LiquidTotals totals_of_rank() const;
+  gasgrain::liquid::LiquidTotals take_stock();
+  void warn(const gasgrain::liquid::LiquidTotals& totals, double residual);
+  template <class F>
+  void for_each_bridge(const F& f) const;
+  [[nodiscard]] double solid_volume(int k) const;
+  [[nodiscard]] double saturation(int k) const;
+
+  gasgrain::liquid::LiquidSettings settings_;
+  gasgrain::liquid::GrainFilms films_;
+  std::vector<std::unique_ptr<gasgrain::liquid::WallBridges>> walls_;
+  gasgrain::liquid::BridgeCounts counts_;
+  gasgrain::liquid::LiquidLedger ledger_;
+  std::vector<gasgrain::Vec3> position_;  // of the owner, before any periodic image
+  FixPropertyAtom* film_ = nullptr;
+  PairGran* pairs_ = nullptr;
+  int history_offset_ = -1;
+  bool wet_ = false;
+  bool periodic_ = false;
+  bool resumed_ = false;
+  bool began_ = false;  // the ledger
+  bool warned_of_saturation_ = false;
+  bool warned_of_residual_ = false;
+  double reach_ = 0.0;  // greatest gap of a bridge, over r_i + r_j
+  // Of this rank, since stock was taken
+  double new_liquid_ = 0.0, new_grains_ = 0.0;
+  double gone_liquid_ = 0.0, gone_grains_ = 0.0;
+  double held_back_ = 0.0;  // viscous forces that a step could not take, of bridges and steps
+  gasgrain::liquid::LiquidLedger told_;  // what warnings told of already
+  std::array<double, 9> shown_{};        // f_ID[1..9]
+  bigint shown_at_ = -1;                 // step
+  bigint written_at_ = -1;
+  bool file_begun_ = false;
+  int grown_to_ = 0;
+};
+
+}  // namespace LAMMPS_NS
