@@ -29,7 +29,6 @@ namespace ContactModels {
 template <>
 class CohesionModel<COHESION_BRIDGE> : public gasgrain::OwnCohesionModel {
   using Vec3 = gasgrain::Vec3;
-  using StoredBridge = gasgrain::liquid::StoredBridge;
 
  public:
   CohesionModel(LAMMPS_NS::LAMMPS* host, History* history, Model* model)
@@ -49,9 +48,8 @@ class CohesionModel<COHESION_BRIDGE> : public gasgrain::OwnCohesionModel {
     if (auto* wall = dynamic_cast<LAMMPS_NS::FixWallGran*>(history_)) {
       wall_fix_ = wall;
       wall_ = &liquid_->join_wall(*wall);
-    } else if (const double reach = liquid_->join_pairs(history_offset_); reach > 0.0) {
-      reach_ = reach;
-      neighbor->register_contact_dist_factor(1.0 + reach);
+    } else {
+      reach_ = liquid_->join_pairs(history_offset_);
     }
   }
 
@@ -67,14 +65,9 @@ class CohesionModel<COHESION_BRIDGE> : public gasgrain::OwnCohesionModel {
       act_on_pair(data, i, j);
   }
 
-  static StoredBridge& stored(double* at) {
-    static_assert(sizeof(StoredBridge) == StoredBridge::size * sizeof(double));
-    return *reinterpret_cast<StoredBridge*>(at);
-  }
-
   void act_on_pair(Close& data, Force& force_i, Force& force_j) {
     namespace liquid = gasgrain::liquid;
-    StoredBridge& bridge = stored(data.contact_history + history_offset_);
+    liquid::StoredBridge& bridge = liquid::stored_bridge(data.contact_history + history_offset_);
     const int i = data.i;
     const int j = data.j;
     const auto& settings = liquid_->settings();

@@ -12,7 +12,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
-#include "fix_contact_history.h"
+#include "error.h"
 #include "fix_mesh_surface.h"
 #include "fix_property_atom.h"
 #include "fix_wall_gran.h"
@@ -34,7 +34,7 @@ namespace {
 
 constexpr const char* property = "liquidFilm";
 // Films become uneven as bridges break: room for bridges this much longer than the first ones.
-constexpr double reach_margin = 1.5;
+constexpr double reach_margin = 1.25;
 
 // A grain that was inserted and has not met the fix yet; no film is negative.
 constexpr double unmet = -1.0;
@@ -136,12 +136,17 @@ double FixLiquid::join_pairs(int history_offset) {
   for (const auto& wall : settings_.walls) both[1] = std::max(both[1], wall.film);
   wet_ = both[1] > 0.0 || ledger_.at_first + ledger_.came_in > ledger_.gone;
   if (!wet_) return reach_ = 0.0;
-  if (reach == 0.0) reach = both[0];
+  // Later all liquid may be in bridges, and films tell nothing: it never falls.
+  if (reach == 0.0) reach = std::max(both[0], reach_);
   if (reach == 0.0)
     gasgrain::stop_everything(
         "fix liquid: the grains are still to come, and 'film' does not tell how far their bridges "
         "reach. Add 'reach F', the greatest gap of a bridge over r_i + r_j (0.1 is common).");
-  return reach_ = reach;
+  reach_ = reach;
+  // That of walls is known after this in a first run, and here in the next or after a restart: the
+  // lists, and with them the order of sums, are then the same.
+  neighbor->register_contact_dist_factor(1.0 + std::max(reach_, wall_reach_));
+  return reach_;
 }
 
 WallBridges& FixLiquid::join_wall(FixWallGran& wall) {
@@ -172,7 +177,36 @@ WallBridges& FixLiquid::join_wall(FixWallGran& wall) {
     found->type = wall.mesh_list()[0]->atomTypeWall() - 1;
   else
     found->type = wall.atom_type_wall() - 1;
+  show_far_enough(wall, *found);
   return *found;
+}
+
+// The host shows a wall to a grain within its contact distance, which is counted in radii, and a
+// primitive wall within the skin as it was when the lists were made, half of it for certain.
+void FixLiquid::show_far_enough(FixWallGran& wall, const WallBridges& bridges) {
+  double longest[2] = {0.0, 0.0};  // [m], over the radius
+  for (int k = 0; k < atom->nlocal; ++k) {
+    const double radius = atom->radius[k];
+    double film = film_->vector_atom[k];
+    if (film == unmet) film = settings_.film_at_first(radius);
+    const double share = settings_.given_share.value_or(gasgrain::liquid::shadow_share_of_wall);
+    const double volume = film * share + bridges.film().given(radius);
+    if (!(volume > 0.0)) continue;
+    const double gap = gasgrain::liquid::rupture_distance(
+        settings_, bridges.bridge_of(settings_, radius, atom->type[k] - 1, volume));
+    longest[0] = std::max(longest[0], gap);
+    longest[1] = std::max(longest[1], reach_margin * gap / radius);
+  }
+  MPI_Allreduce(MPI_IN_PLACE, longest, 2, MPI_DOUBLE, MPI_MAX, world);
+  wall_reach_ = settings_.reach.value_or(std::max(longest[1], wall_reach_));
+  neighbor->register_contact_dist_factor(1.0 + wall_reach_);
+  if (!wall.is_mesh_wall() && longest[0] > 0.5 * neighbor->skin && comm->me == 0)
+    error->warning(FLERR,
+                   fmt::format("fix liquid: bridges to the wall '{}' reach {:.3g} m, but the host "
+                               "shows a primitive wall within half of the skin only. Write "
+                               "'neighbor {:.2g} bin'.",
+                               wall.id, longest[0], 2.0 * longest[0])
+                       .c_str());
 }
 
 void FixLiquid::init() {
@@ -239,6 +273,7 @@ void FixLiquid::publish_films() {
   if (!wet_) return;
   for (int k = 0; k < atom->nlocal; ++k) {
     films_.publish(k, film_->vector_atom[k]);
+    number_[static_cast<std::size_t>(k)] = atom->tag[k];
     position_[static_cast<std::size_t>(k)] = Vec3(atom->x[k][0], atom->x[k][1], atom->x[k][2]);
   }
   comm->forward_comm_fix(this);
@@ -285,6 +320,44 @@ void FixLiquid::pre_force(int) {
 // Grains that the host is about to drop, beyond a fixed face of the box, take their films and what
 // they gave to their bridges along.
 void FixLiquid::pre_exchange() {
+  leave_box(true);
+}
+
+// Between two runs the script may have deleted grains, and the list of contacts is of others.
+void FixLiquid::setup_pre_exchange() {
+  dissolve_bridges_of_renumbered_grains();
+  leave_box(false);
+}
+
+// `delete_atoms` gives grains new numbers unless it is told `compress no`, and contacts, which are
+// stored by number, go to others. Each grain then takes back what it gave.
+void FixLiquid::dissolve_bridges_of_renumbered_grains() {
+  int renumbered = 0;
+  for (int k = 0; k < atom->nlocal; ++k) {
+    const double before = number_[static_cast<std::size_t>(k)];
+    if (before != 0.0 && before != atom->tag[k]) renumbered = 1;
+  }
+  MPI_Allreduce(MPI_IN_PLACE, &renumbered, 1, MPI_INT, MPI_MAX, world);
+  if (renumbered == 0) return;
+  double dissolved = 0.0;
+  for (int k = 0; k < atom->nlocal; ++k)
+    for_each_stored(k, [&](int, StoredBridge& b) {
+      film_->vector_atom[k] += gasgrain::liquid::given_by_i(b);
+      counts_.broken += 0.5;
+      dissolved += 0.5;
+      b.clear();
+    });
+  MPI_Allreduce(MPI_IN_PLACE, &dissolved, 1, MPI_DOUBLE, MPI_SUM, world);
+  if (comm->me == 0 && dissolved > 0.0)
+    error->warning(FLERR,
+                   fmt::format("fix liquid: the grains were given new numbers, and {} bridges were "
+                               "broken as the host lost track of them. Write 'delete_atoms ... "
+                               "compress no'.",
+                               dissolved)
+                       .c_str());
+}
+
+void FixLiquid::leave_box(bool from_list) {
   if (!wet_) return;
   const auto leaves = [&](int k) {
     for (int d = 0; d < 3; ++d)
@@ -301,8 +374,11 @@ void FixLiquid::pre_exchange() {
     gone_grains_ += 1.0;
     if (film_->vector_atom[k] != unmet) gone_liquid_ += film_->vector_atom[k];
     for (auto& wall : walls_) gone_liquid_ += std::max(0.0, wall->slot(k).bridge.volume);
+    if (!from_list)
+      for_each_stored(
+          k, [&](int, const StoredBridge& b) { gone_liquid_ += gasgrain::liquid::given_by_i(b); });
   }
-  if (!any) return;
+  if (!any || !from_list) return;
   const int owned = static_cast<int>(leaving.size());
   for_each_bridge([&](int i, int j, const StoredBridge& b) {
     if (i < owned && leaving[static_cast<std::size_t>(i)])
@@ -316,34 +392,25 @@ void FixLiquid::pre_exchange() {
 // grain gave. The host's per-grain memory still has it, the list has not.
 void FixLiquid::take_back_from_lost_partners() {
   if (history_offset_ < 0) return;
-  FixContactHistory* memory_of_contacts = pairs_->get_fix_history();
   std::vector<int> listed(static_cast<std::size_t>(atom->nlocal), 0);
   for_each_bridge([&](int i, int j, const StoredBridge&) {
     ++listed[static_cast<std::size_t>(i)];
     if (j < atom->nlocal) ++listed[static_cast<std::size_t>(j)];
   });
   for (int k = 0; k < atom->nlocal; ++k) {
-    const auto stored = [&](int n) {
-      const double* h = memory_of_contacts->contacthistory(k, n) + history_offset_;
-      return StoredBridge{h[0], h[1], h[2]};
-    };
-    int remembered = 0;
-    for (int n = 0; n < memory_of_contacts->n_partner(k); ++n)
-      if (stored(n).stands()) ++remembered;
-    if (remembered == listed[static_cast<std::size_t>(k)]) continue;
+    int stored = 0;
+    for_each_stored(k, [&](int, const StoredBridge&) { ++stored; });
+    if (stored == listed[static_cast<std::size_t>(k)]) continue;
     std::vector<int> partners;
     for_each_bridge([&](int i, int j, const StoredBridge&) {
       if (i == k) partners.push_back(atom->tag[j]);
       if (j == k) partners.push_back(atom->tag[i]);
     });
-    for (int n = 0; n < memory_of_contacts->n_partner(k); ++n) {
-      const StoredBridge b = stored(n);
-      if (!b.stands() || std::find(partners.begin(), partners.end(),
-                                   memory_of_contacts->partner(k, n)) != partners.end())
-        continue;
+    for_each_stored(k, [&](int partner, const StoredBridge& b) {
+      if (std::find(partners.begin(), partners.end(), partner) != partners.end()) return;
       film_->vector_atom[k] += gasgrain::liquid::given_by_i(b);
       counts_.broken += 1.0;
-    }
+    });
   }
 }
 

@@ -39,6 +39,7 @@ class FixLiquid : public Fix {
   void post_create() override;
   void pre_delete(bool unfixed) override;
   void init() override;
+  void setup_pre_exchange() override;
   void setup_pre_force(int) override;
   void setup(int) override;
   void pre_exchange() override;
@@ -66,7 +67,7 @@ class FixLiquid : public Fix {
   // For the contact models. The fix of the scene; ends the launch when there is none.
   static FixLiquid& of_scene(LAMMPS* host);
   // The pair style has bridges: their place in the history of a contact. Returns the greatest gap
-  // of a bridge, over r_i + r_j; 0: there is no liquid at all.
+  // of a bridge, over r_i + r_j, for which the host's lists are made; 0: there is no liquid at all.
   double join_pairs(int history_offset);
   gasgrain::liquid::WallBridges& join_wall(FixWallGran& wall);
 
@@ -81,6 +82,9 @@ class FixLiquid : public Fix {
   [[nodiscard]] gasgrain::Vec3 between(int i, int k) const;
 
  private:
+  void show_far_enough(FixWallGran& wall, const gasgrain::liquid::WallBridges& bridges);
+  void leave_box(bool from_list);
+  void dissolve_bridges_of_renumbered_grains();
   void meet_new_grains();
   void publish_films();
   void check_films() const;
@@ -93,9 +97,12 @@ class FixLiquid : public Fix {
   void record();
   [[nodiscard]] gasgrain::liquid::LiquidTotals totals_of_rank() const;
   gasgrain::liquid::LiquidTotals take_stock();
+  void store_bridges() const;
   void warn(const gasgrain::liquid::LiquidTotals& totals, double residual);
   template <class F>
   void for_each_bridge(const F& f) const;
+  template <class F>
+  void for_each_stored(int k, const F& f) const;
   [[nodiscard]] double solid_volume(int k) const;
   [[nodiscard]] double saturation(int k) const;
 
@@ -104,6 +111,7 @@ class FixLiquid : public Fix {
   std::vector<std::unique_ptr<gasgrain::liquid::WallBridges>> walls_;
   gasgrain::liquid::BridgeCounts counts_;
   gasgrain::liquid::LiquidLedger ledger_;
+  std::vector<double> number_;            // of an owned grain, as it was in the last step; 0: new
   std::vector<gasgrain::Vec3> position_;  // of the owner, before any periodic image
   FixPropertyAtom* film_ = nullptr;
   PairGran* pairs_ = nullptr;
@@ -114,7 +122,8 @@ class FixLiquid : public Fix {
   bool began_ = false;  // the ledger
   bool warned_of_saturation_ = false;
   bool warned_of_residual_ = false;
-  double reach_ = 0.0;  // greatest gap of a bridge, over r_i + r_j
+  double reach_ = 0.0;       // greatest gap of a bridge, over r_i + r_j
+  double wall_reach_ = 0.0;  // and to a wall, over r
   // Of this rank, since stock was taken
   double new_liquid_ = 0.0, new_grains_ = 0.0;
   double gone_liquid_ = 0.0, gone_grains_ = 0.0;

@@ -8,6 +8,7 @@
 #include "fix_cfd_coupling/dem_physics/liquid/saturation.h"
 #include "fix_cfd_coupling/liggghts/fix_liquid.h"
 #include "fix_cfd_coupling/liggghts/fix_liquid_bridges.h"
+#include "fix_cfd_coupling/liggghts/host_access.h"
 #include "fix_cfd_coupling/liggghts/host_error.h"
 // --
 #include "atom.h"
@@ -52,6 +53,7 @@ LiquidTotals FixLiquid::totals_of_rank() const {
   t.formed = counts_.formed;
   t.broken = counts_.broken;
   t.cut_short = counts_.cut_short;
+  t.lost_sight = counts_.lost_sight;
   t.held_back = held_back_;
   return t;
 }
@@ -117,11 +119,11 @@ void FixLiquid::record() {
   const double saturation = gasgrain::liquid::saturation(t.bridges + t.wall_bridges, t.solid,
                                                          settings_.packing_void_fraction);
   fmt::print(file,
-             "{},{:.9g},{:.15g},{:.15g},{:.15g},{:.15g},{:.15g},{:.15g},{:.3g},{},{},{},{},"
+             "{},{:.9g},{:.15g},{:.15g},{:.15g},{:.15g},{:.15g},{:.15g},{:.3g},{},{},{},{},{},"
              "{:.6g},{}\n",
              update->ntimestep, update->get_cur_time(), t.films, t.bridges, t.wall_bridges, t.walls,
              ledger_.came_in, ledger_.gone, residual, t.count, ledger_.formed, ledger_.broken,
-             ledger_.cut_short, saturation, t.beyond_pendular);
+             ledger_.cut_short, ledger_.lost_sight, saturation, t.beyond_pendular);
   std::fclose(file);
 }
 
@@ -148,7 +150,15 @@ void FixLiquid::warn(const LiquidTotals& t, double residual) {
   }
 }
 
+// The host stores contacts when the next run begins, from a list of grains that the script may have
+// deleted meanwhile. It does so at once here.
+void FixLiquid::store_bridges() const {
+  if (FixContactHistory* stored = pairs_->get_fix_history(); stored != nullptr)
+    gasgrain::store_contacts_now(*stored);
+}
+
 void FixLiquid::post_run() {
+  store_bridges();
   if (update->ntimestep != shown_at_) record();
   const auto tell = [&](const std::string& text) {
     if (comm->me == 0) error->warning(FLERR, text.c_str());
@@ -158,11 +168,19 @@ void FixLiquid::post_run() {
         "fix liquid: {} of {} broken bridges broke below their rupture distance, as the host does "
         "not show contacts that far. Add 'reach F', greater than {:.3g}.",
         ledger_.cut_short, ledger_.broken, reach_));
-  if (ledger_.held_back > told_.held_back)
+  if (ledger_.lost_sight > told_.lost_sight)
     tell(fmt::format(
-        "fix liquid: viscous forces of bridges were held back by more than 1 % in {:.6g} cases (a "
-        "bridge in a step): the step is too long for this viscosity. Halving it halves the error.",
-        ledger_.held_back));
+        "fix liquid: {} of {} broken bridges to walls broke below their rupture distance, as the "
+        "host does not show walls that far. Add 'reach F', greater than {:.3g} (of a radius), and "
+        "at "
+        "primitive walls 'neighbor SKIN bin' with a skin of twice that.",
+        ledger_.lost_sight, ledger_.broken, wall_reach_));
+  if (ledger_.held_back > told_.held_back)
+    tell(
+        fmt::format("fix liquid: viscous forces of bridges were held back in {:.6g} cases (a "
+                    "bridge in a step): "
+                    "the step is too long for this viscosity at this minimum_separation.",
+                    ledger_.held_back));
   if (ledger_.deleted > told_.deleted)
     tell(
         fmt::format("fix liquid: deleted grains took {:.6g} m3 of liquid along.", ledger_.deleted));

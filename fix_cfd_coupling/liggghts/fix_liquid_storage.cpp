@@ -19,12 +19,14 @@ using gasgrain::liquid::WallBridges;
 namespace {
 
 constexpr int stored_format = 1;  // raised with every change of what is stored
-constexpr int grant_size = 3;
+constexpr int grant_size = 4;     // with the grain's number
 constexpr std::size_t id_length = 64;
 
 struct StoredState {
   int format;
   int walls;
+  double reach;
+  double wall_reach;
   gasgrain::liquid::LiquidLedger ledger;
 };
 struct StoredWall {
@@ -38,6 +40,7 @@ void FixLiquid::grow_arrays(int size) {
   const auto grains = static_cast<std::size_t>(size);
   films_.resize(grains);
   position_.resize(grains);
+  number_.resize(grains);
   for (auto& wall : walls_) wall->resize(grains);
   const int before = grown_to_;
   memory->grow(array_atom, size, 2, "fix_liquid:array_atom");
@@ -47,12 +50,14 @@ void FixLiquid::grow_arrays(int size) {
 
 void FixLiquid::copy_arrays(int from, int to, int) {
   films_.grant(to) = films_.grant(from);
+  number_[static_cast<std::size_t>(to)] = number_[static_cast<std::size_t>(from)];
   for (auto& wall : walls_) wall->slot(to) = wall->slot(from);
   std::copy_n(array_atom[from], 2, array_atom[to]);
 }
 
 void FixLiquid::set_arrays(int grain) {
   films_.grant(grain) = {};
+  number_[static_cast<std::size_t>(grain)] = 0.0;
   for (auto& wall : walls_) wall->slot(grain) = {};
   array_atom[grain][0] = array_atom[grain][1] = 0.0;
 }
@@ -63,6 +68,7 @@ int FixLiquid::pack_exchange(int grain, double* buffer) {
   *at++ = grant.scale;
   *at++ = grant.open;
   *at++ = grant.bridges;
+  *at++ = number_[static_cast<std::size_t>(grain)];
   for (auto& wall : walls_) {
     const WallBridges::Slot& slot = wall->slot(grain);
     *at++ = slot.bridge.volume;
@@ -76,6 +82,7 @@ int FixLiquid::pack_exchange(int grain, double* buffer) {
 int FixLiquid::unpack_exchange(int grain, double* buffer) {
   const double* at = buffer;
   films_.grant(grain) = {at[0], at[1], at[2]};
+  number_[static_cast<std::size_t>(grain)] = at[3];
   at += grant_size;
   for (auto& wall : walls_) {
     wall->slot(grain) = {{at[0], at[1], at[2]}, at[3]};
@@ -106,11 +113,16 @@ void FixLiquid::unpack_restart(int grain, int nth) {
   unpack_exchange(grain, share + 1);
 }
 
+// The list of contacts may be out of date here: what was counted is booked with the next step.
 void FixLiquid::write_restart(FILE* file) {
-  gasgrain::liquid::LiquidTotals now = take_stock();
-  ledger_.book(now);
+  double counted[4] = {new_liquid_, gone_liquid_, new_grains_, gone_grains_};
+  MPI_Allreduce(MPI_IN_PLACE, counted, 4, MPI_DOUBLE, MPI_SUM, world);
+  gasgrain::liquid::LiquidLedger ledger = ledger_;
+  ledger.came_in += counted[0];
+  ledger.gone += counted[1];
+  ledger.grains += counted[2] - counted[3];
   if (comm->me != 0) return;
-  StoredState state{stored_format, static_cast<int>(walls_.size()), ledger_};
+  StoredState state{stored_format, static_cast<int>(walls_.size()), reach_, wall_reach_, ledger};
   const int bytes = static_cast<int>(sizeof(state) + walls_.size() * sizeof(StoredWall));
   fwrite(&bytes, sizeof(int), 1, file);
   fwrite(&state, sizeof(state), 1, file);
@@ -130,6 +142,8 @@ void FixLiquid::restart(char* data) {
         "the restart's fix liquid is of another version of gasgrain: start the run anew.");
   resumed_ = true;
   ledger_ = told_ = state.ledger;
+  reach_ = state.reach;
+  wall_reach_ = state.wall_reach;
   for (int w = 0; w < state.walls; ++w) {
     StoredWall stored;
     std::memcpy(&stored, data + sizeof(state) + static_cast<std::size_t>(w) * sizeof(stored),

@@ -2,6 +2,7 @@
 // may name them.
 #include "fix_cfd_coupling/liggghts/host_access.h"
 
+#include "fix_contact_history.h"
 #include "input.h"
 #include "modify.h"
 #include "output.h"
@@ -22,6 +23,11 @@ struct LostFlagTag {
   friend Type member_of(LostFlagTag);
 };
 
+struct ListInUseTag {
+  using Type = int* LAMMPS_NS::FixContactHistory::*;
+  friend Type member_of(ListInUseTag);
+};
+
 // The friend must live in namespace gasgrain itself: no unnamed namespace around it.
 template <class Tag, typename Tag::Type member>
 struct Reveal {
@@ -30,6 +36,7 @@ struct Reveal {
 template struct Reveal<FixMapTag, &LAMMPS_NS::Modify::fix_map>;
 template struct Reveal<CommandMapTag, &LAMMPS_NS::Input::command_map>;
 template struct Reveal<LostFlagTag, &LAMMPS_NS::Thermo::lostflag>;
+template struct Reveal<ListInUseTag, &LAMMPS_NS::FixContactHistory::computeflag_>;
 
 std::map<std::string, FixCreator>& fix_map(LAMMPS_NS::LAMMPS& host) {
   return *(host.modify->*member_of(FixMapTag{}));
@@ -42,6 +49,13 @@ std::map<std::string, CommandCreator>& command_map(LAMMPS_NS::LAMMPS& host) {
 bool lost_grains_are_errors(LAMMPS_NS::LAMMPS& host) {
   constexpr int error = 2;  // of thermo.cpp's enum: ignore, warn, error
   return host.output->thermo != nullptr && host.output->thermo->*member_of(LostFlagTag{}) == error;
+}
+
+void store_contacts_now(LAMMPS_NS::FixContactHistory& stored) {
+  int* list_in_use = stored.*member_of(ListInUseTag{});
+  if (list_in_use == nullptr || *list_in_use == 0) return;
+  stored.pre_exchange();
+  *list_in_use = 0;
 }
 
 }  // namespace gasgrain

@@ -9,6 +9,10 @@
 // --
 #include "fix.h"
 
+namespace LAMMPS_NS {
+class FixContactHistory;
+}
+
 namespace gasgrain {
 
 using FixCreator = LAMMPS_NS::Fix* (*)(LAMMPS_NS::LAMMPS*, int, char**);
@@ -19,5 +23,9 @@ std::map<std::string, CommandCreator>& command_map(LAMMPS_NS::LAMMPS& host);
 
 // `thermo_modify lost`: error (true), or ignore, warn: grains may leave the box.
 bool lost_grains_are_errors(LAMMPS_NS::LAMMPS& host);
+
+// Stores the contacts of the pair style's list with their grains, as the host does before it makes
+// new lists; it then does not do so again from this list.
+void store_contacts_now(LAMMPS_NS::FixContactHistory& stored);
 
 }  // namespace gasgrain

@@ -4,11 +4,10 @@
 //   n from j to i; v = v_i - v_j - (l_i w_i + l_j w_j) x n, of which v_n along n and v_t across
 //   l_i = r_i + gap r_i / (r_i + r_j): both act at one point, so that angular momentum stays
 //
-// Viscous coefficients larger than a step can take explicitly are held back:
-//   c / (1 + c dt (b_i / m_i + b_j / m_j)),   b bridges of a grain
-// which is c for small steps, and never turns a velocity round, whatever the viscosity and the
-// number of bridges (sum over a row of M^-1 C dt below 2). How often it takes more than 1 % is
-// counted.
+// Viscous coefficients that a step cannot take explicitly are held back to
+//   1 / (dt (b_i / m_i + b_j / m_j)),   b bridges of a grain
+// below which no velocity is turned round, whatever the number of bridges (each row of M^-1 C dt
+// sums to 2 at most). How often this acts is counted.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -51,14 +50,12 @@ inline BridgeForce bridge_force(const LiquidSettings& s, const bridge::LiquidBri
   const Vec3 v = m.velocity - (m.lever_i * m.spin_i + m.lever_j * m.spin_j).cross(m.normal);
   const double v_n = v.dot(m.normal);
   const Vec3 v_t = v - v_n * m.normal;
-  double c_n = viscous_normal(b, s.viscosity, m.gap, s.minimum_separation);
-  double c_t = viscous_tangential(b, s.viscosity, m.gap, s.minimum_separation);
-  const double x = std::max(c_n, c_t) * m.step_over_mass;
-  if (x > 0.01) held_back += 1.0;
-  c_n /= 1.0 + c_n * m.step_over_mass;
-  c_t /= 1.0 + c_t * m.step_over_mass;
-  const Vec3 tangential = -c_t * v_t;
-  f.on_i += tangential - c_n * v_n * m.normal;
+  const double most = 1.0 / m.step_over_mass;
+  const double c_n = viscous_normal(b, s.viscosity, m.gap, s.minimum_separation);
+  const double c_t = viscous_tangential(b, s.viscosity, m.gap, s.minimum_separation);
+  if (std::max(c_n, c_t) > most) held_back += 1.0;
+  const Vec3 tangential = -std::min(c_t, most) * v_t;
+  f.on_i += tangential - std::min(c_n, most) * v_n * m.normal;
   const Vec3 turning = m.normal.cross(tangential);
   f.torque_i = -m.lever_i * turning;
   f.torque_j = -m.lever_j * turning;

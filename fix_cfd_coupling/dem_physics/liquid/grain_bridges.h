@@ -50,7 +50,9 @@ struct GrainPair {
 struct BridgeCounts {
   double formed = 0.0;  // halves: a pair of two ranks is seen by both
   double broken = 0.0;
-  double cut_short = 0.0;  // broken below their rupture distance, at the end of the host's reach
+  // Broken below their rupture distance, where the host no longer shows the other grain, the wall:
+  double cut_short = 0.0;
+  double lost_sight = 0.0;
 };
 
 inline bridge::LiquidBridge bridge_between(const LiquidSettings& s, const GrainPair& p,

@@ -28,19 +28,19 @@ struct LiquidTotals {
   double count = 0.0;            // of bridges
   double solid = 0.0;            // volume of the grains
   double beyond_pendular = 0.0;  // grains
-  double formed = 0.0, broken = 0.0, cut_short = 0.0;
+  double formed = 0.0, broken = 0.0, cut_short = 0.0, lost_sight = 0.0;
   double held_back = 0.0;
   double greatest_saturation = 0.0;  // not a sum
 
-  static constexpr std::size_t size = 16;
+  static constexpr std::size_t size = 17;
   [[nodiscard]] std::array<double, size> values() const {
-    return {films,  bridges,     wall_bridges, walls,    came_in, gone,
-            grains, grains_came, grains_gone,  count,    solid,   beyond_pendular,
-            formed, broken,      cut_short,    held_back};
+    return {films,  bridges,     wall_bridges, walls,      came_in,  gone,
+            grains, grains_came, grains_gone,  count,      solid,    beyond_pendular,
+            formed, broken,      cut_short,    lost_sight, held_back};
   }
   static LiquidTotals of(const std::array<double, size>& v) {
-    return {v[0], v[1],  v[2],  v[3],  v[4],  v[5],  v[6],  v[7], v[8],
-            v[9], v[10], v[11], v[12], v[13], v[14], v[15], 0.0};
+    return {v[0], v[1],  v[2],  v[3],  v[4],  v[5],  v[6],  v[7],  v[8],
+            v[9], v[10], v[11], v[12], v[13], v[14], v[15], v[16], 0.0};
   }
   [[nodiscard]] double liquid() const { return films + bridges + wall_bridges + walls; }
 };
@@ -51,7 +51,7 @@ struct LiquidLedger {
   double came_in = 0.0;
   double gone = 0.0;
   double grains = 0.0;  // that it knows of
-  double formed = 0.0, broken = 0.0, cut_short = 0.0;
+  double formed = 0.0, broken = 0.0, cut_short = 0.0, lost_sight = 0.0;
   double held_back = 0.0;
   double deleted = 0.0;  // liquid of grains that somebody deleted, part of gone
 
@@ -71,6 +71,7 @@ struct LiquidLedger {
     formed += t.formed;
     broken += t.broken;
     cut_short += t.cut_short;
+    lost_sight += t.lost_sight;
     held_back += t.held_back;
     if (t.grains < grains) {
       const double missing = at_first + came_in - gone - t.liquid();
@@ -83,6 +84,6 @@ struct LiquidLedger {
 
 inline constexpr const char* liquid_columns =
     "step,time,films,bridges,wall_bridges,walls,came_in,gone,residual,bridge_count,formed,broken,"
-    "cut_short,saturation,beyond_pendular";
+    "cut_short,lost_sight,saturation,beyond_pendular";
 
 }  // namespace gasgrain::liquid

@@ -26,6 +26,12 @@ struct StoredBridge {
   void clear() { volume = lean = rupture = 0.0; }
 };
 
+// Where the host keeps it.
+inline StoredBridge& stored_bridge(double* at) {
+  static_assert(sizeof(StoredBridge) == StoredBridge::size * sizeof(double));
+  return *reinterpret_cast<StoredBridge*>(at);
+}
+
 // Liquid that i, and that j, gave [m3].
 inline double given_by_i(const StoredBridge& b) {
   return b.volume * (0.5 + 0.5 * b.lean);

@@ -79,7 +79,7 @@ class WallBridges {
       if (seen.gap_of_bridge > b.rupture && seen.gap <= b.rupture) slot.place = seen.place;
       if (std::min(seen.gap_of_bridge, seen.gap) > b.rupture) {
         ++counts.broken;
-        if (seen.gap == nowhere) ++counts.cut_short;
+        if (seen.gap == nowhere) ++counts.lost_sight;
         break_up(s, films, k, radius, grain_type);
         return;
       }
