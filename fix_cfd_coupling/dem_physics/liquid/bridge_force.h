@@ -5,9 +5,11 @@
 //   l_i = r_i + gap r_i / (r_i + r_j): both act at one point, so that angular momentum stays
 //
 // Viscous coefficients that a step cannot take explicitly are held back to
-//   1 / (dt (b_i / m_i + b_j / m_j)),   b bridges of a grain
-// below which no velocity is turned round, whatever the number of bridges (each row of M^-1 C dt
-// sums to 2 at most). How often this acts is counted.
+//   1 / (3.5 dt (b_i / m_i + b_j / m_j)),   b bridges of a grain
+// 3.5 / m = 1 / m + r^2 / I, by which a tangential force moves the surface of a sphere. Each bridge
+// of a grain moves each other one's contact along the normal by 1 / m and along both tangents by up
+// to 5 / m, so that dt times a row of their matrix sums to less than 2: the explicit step is stable
+// whatever the viscosity and the number of bridges. How often this acts is counted.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -50,7 +52,8 @@ inline BridgeForce bridge_force(const LiquidSettings& s, const bridge::LiquidBri
   const Vec3 v = m.velocity - (m.lever_i * m.spin_i + m.lever_j * m.spin_j).cross(m.normal);
   const double v_n = v.dot(m.normal);
   const Vec3 v_t = v - v_n * m.normal;
-  const double most = 1.0 / m.step_over_mass;
+  constexpr double sphere = 3.5;
+  const double most = 1.0 / (sphere * m.step_over_mass);
   const double c_n = viscous_normal(b, s.viscosity, m.gap, s.minimum_separation);
   const double c_t = viscous_tangential(b, s.viscosity, m.gap, s.minimum_separation);
   if (std::max(c_n, c_t) > most) held_back += 1.0;
