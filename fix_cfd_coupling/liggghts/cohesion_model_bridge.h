@@ -68,65 +68,72 @@ class CohesionModel<COHESION_BRIDGE> : public gasgrain::OwnCohesionModel {
   void act_on_pair(Close& data, Force& force_i, Force& force_j) {
     namespace liquid = gasgrain::liquid;
     liquid::StoredBridge& bridge = liquid::stored_bridge(data.contact_history + history_offset_);
-    const int i = data.i;
-    const int j = data.j;
     const auto& settings = liquid_->settings();
     auto& films = liquid_->films();
-    double distance = std::sqrt(data.rsq);
-    const liquid::GrainPair pair{i,
-                                 j,
-                                 true,
-                                 j < atom->nlocal,
-                                 data.radi,
-                                 data.radj,
-                                 data.itype - 1,
-                                 data.jtype - 1,
-                                 atom->tag[i],
-                                 atom->tag[j]};
     const bool updates = data.computeflag != 0 && data.shearupdate != 0;
-    if (bridge.absent() &&
-        (!updates || distance - data.radsum >
-                         1e-9 * data.radsum + liquid::deciding_gap(settings, films, pair, bridge)))
-      return;
-    // Across a periodic face the two owners see distances that differ in their last digits; what
-    // they decide must not.
-    const Vec3 apart = liquid_->periodic() ? liquid_->between(i, j)
-                                           : Vec3(data.delta[0], data.delta[1], data.delta[2]);
-    distance = apart.norm();
-    const Vec3 normal = apart / distance;
-    const double gap = distance - data.radsum;
-    const Vec3 velocity = vec(data.v_i) - vec(data.v_j);
-    if (updates) {
-      const double reach = reach_ * data.radsum;
-      const double next_gap = gap + 2.0 * std::abs(velocity.dot(normal)) * update->dt;
-      liquid::advance(settings, films, liquid_->counts(), pair, bridge, gap, next_gap, reach);
+    if (bridge.absent()) {
+      if (!updates) return;
+      const double forms = data.radsum * (1.0 + round_off) +
+                           liquid::formation_gap(settings, films.published(data.i).thickness,
+                                                 films.published(data.j).thickness);
+      if (data.rsq > forms * forms) return;
     }
-    if (data.contact_flags != nullptr) {
-      if (bridge.absent())
-        *data.contact_flags &= ~CONTACT_COHESION_MODEL;
+    const double distance = std::sqrt(data.rsq);
+    const double gap = distance - data.radsum;
+    const Vec3 normal = vec(data.delta) * (1.0 / distance);
+    const Vec3 velocity = vec(data.v_i) - vec(data.v_j);
+    const liquid::GrainPair pair{data.i,    data.j,    true,           data.j < atom->nlocal,
+                                 data.radi, data.radj, data.itype - 1, data.jtype - 1};
+    if (updates) {
+      const double next_gap = gap + 2.0 * std::abs(velocity.dot(normal)) * update->dt;
+      const double margin = round_off * data.radsum;
+      if (bridge.stands() && gap < bridge.rupture - margin &&
+          next_gap < reach_ * data.radsum - margin)
+        liquid::stand(films, pair, bridge);
       else
-        *data.contact_flags |= CONTACT_COHESION_MODEL;
+        decide(data, pair, bridge, velocity);
+      if (data.contact_flags != nullptr) {
+        if (bridge.absent())
+          *data.contact_flags &= ~CONTACT_COHESION_MODEL;
+        else
+          *data.contact_flags |= CONTACT_COHESION_MODEL;
+      }
     }
     if (!bridge.stands()) return;
-    const double share_i = gap / data.radsum;
+    const auto shape = liquid::bridge_between(settings, pair, bridge.volume);
+    const Vec3 pull = -liquid::capillary_force(settings, shape, gap) * normal;
+    add(pull, force_i.delta_F);
+    add(-pull, force_j.delta_F);
+    data.has_force_update = true;
+    if (!settings.viscous()) return;
+    const double share = gap / data.radsum;
     const liquid::BridgeMotion motion{gap,
                                       normal,
                                       velocity,
-                                      vec(atom->omega[i]),
-                                      vec(atom->omega[j]),
-                                      data.radi * (1.0 + share_i),
-                                      data.radj * (1.0 + share_i),
-                                      update->dt * (bridges_over_mass(i) + bridges_over_mass(j))};
-    const auto pull =
-        liquid::bridge_force(settings, liquid::bridge_between(settings, pair, bridge.volume),
-                             motion, liquid_->held_back());
-    for (int d = 0; d < 3; ++d) {
-      force_i.delta_F[d] += pull.on_i[d];
-      force_j.delta_F[d] -= pull.on_i[d];
-      force_i.delta_torque[d] += pull.torque_i[d];
-      force_j.delta_torque[d] += pull.torque_j[d];
-    }
-    data.has_force_update = true;
+                                      vec(atom->omega[data.i]),
+                                      vec(atom->omega[data.j]),
+                                      data.radi * (1.0 + share),
+                                      data.radj * (1.0 + share),
+                                      update->dt * (films.published(data.i).bridges_over_mass +
+                                                    films.published(data.j).bridges_over_mass)};
+    const auto drag = liquid::viscous_force(settings, shape, motion, liquid_->held_back());
+    add(drag.on_i, force_i.delta_F);
+    add(-drag.on_i, force_j.delta_F);
+    add(drag.torque_i, force_i.delta_torque);
+    add(drag.torque_j, force_j.delta_torque);
+  }
+
+  // Where a bridge may form or break. Across a periodic face the two owners see distances that
+  // differ in their last digits; what they decide must not.
+  void decide(const Close& data, const gasgrain::liquid::GrainPair& pair,
+              gasgrain::liquid::StoredBridge& bridge, const Vec3& velocity) {
+    const Vec3 apart = liquid_->periodic() ? liquid_->between(data.i, data.j) : vec(data.delta);
+    const double distance = apart.norm();
+    const double gap = distance - data.radsum;
+    const double next_gap = gap + 2.0 * std::abs(velocity.dot(apart)) / distance * update->dt;
+    gasgrain::liquid::advance(liquid_->settings(), liquid_->films(), liquid_->counts(), pair,
+                              {atom->tag[data.i], atom->tag[data.j]}, bridge, gap, next_gap,
+                              reach_ * data.radsum);
   }
 
   void act_on_wall(Close& data, Force& force_i) {
@@ -140,7 +147,12 @@ class CohesionModel<COHESION_BRIDGE> : public gasgrain::OwnCohesionModel {
                           ? wall_->see(i, place, gap)
                           : slot.bridge.stands() && slot.place == place;
     if (!here || gap > slot.bridge.rupture) return;
-    const Vec3 normal = Vec3(data.delta[0], data.delta[1], data.delta[2]) / distance;
+    const auto& settings = liquid_->settings();
+    const auto shape = wall_->bridge_of(settings, data.radi, data.itype - 1, slot.bridge.volume);
+    const Vec3 normal = vec(data.delta) * (1.0 / distance);
+    add(-liquid::capillary_force(settings, shape, gap) * normal, force_i.delta_F);
+    data.has_force_update = true;
+    if (!settings.viscous()) return;
     const liquid::BridgeMotion motion{gap,
                                       normal,
                                       vec(data.v_i) - vec(data.v_j),
@@ -148,16 +160,10 @@ class CohesionModel<COHESION_BRIDGE> : public gasgrain::OwnCohesionModel {
                                       Vec3::Zero(),
                                       data.radi + gap,
                                       0.0,
-                                      update->dt * bridges_over_mass(i)};
-    const auto pull = liquid::bridge_force(
-        liquid_->settings(),
-        wall_->bridge_of(liquid_->settings(), data.radi, data.itype - 1, slot.bridge.volume),
-        motion, liquid_->held_back());
-    for (int d = 0; d < 3; ++d) {
-      force_i.delta_F[d] += pull.on_i[d];
-      force_i.delta_torque[d] += pull.torque_i[d];
-    }
-    data.has_force_update = true;
+                                      update->dt * liquid_->films().published(i).bridges_over_mass};
+    const auto drag = liquid::viscous_force(settings, shape, motion, liquid_->held_back());
+    add(drag.on_i, force_i.delta_F);
+    add(drag.torque_i, force_i.delta_torque);
   }
 
   // Triangles have numbers of their own in each mesh of the wall; a primitive wall is one place.
@@ -169,12 +175,14 @@ class CohesionModel<COHESION_BRIDGE> : public gasgrain::OwnCohesionModel {
     return meshes * (1.0 + data.mesh->id(data.j)) + mesh;
   }
 
-  [[nodiscard]] double bridges_over_mass(int k) const {
-    return std::max(1.0, liquid_->films().published(k).bridges) / atom->rmass[k];
+  static void add(const Vec3& what, double* to) {
+    for (int d = 0; d < 3; ++d) to[d] += what[d];
   }
-
   static Vec3 vec(const double* v) { return {v[0], v[1], v[2]}; }
 
+  // Of the sum of radii: more than distances across a periodic face differ by, and far less than
+  // what matters.
+  static constexpr double round_off = 1e-9;
   int history_offset_ = -1;
   double reach_ = 0.0;
   LAMMPS_NS::FixLiquid* liquid_ = nullptr;

@@ -68,7 +68,7 @@ FixLiquid::FixLiquid(LAMMPS* host, int narg, char** arg) : Fix(host, narg, arg) 
   restart_peratom = 1;
   create_attribute = 1;  // the host then calls set_arrays() for every grain it inserts
   periodic_ = domain->xperiodic != 0 || domain->yperiodic != 0 || domain->zperiodic != 0;
-  comm_forward = periodic_ ? 7 : 4;
+  comm_forward = GrainFilms::Published::size + (periodic_ ? 3 : 0);
   grow_arrays(atom->nmax);
   atom->add_callback(0);
   atom->add_callback(1);
@@ -272,7 +272,7 @@ void FixLiquid::meet_new_grains() {
 void FixLiquid::publish_films() {
   if (!wet_) return;
   for (int k = 0; k < atom->nlocal; ++k) {
-    films_.publish(k, film_->vector_atom[k]);
+    films_.publish(k, film_->vector_atom[k], atom->radius[k], atom->rmass[k]);
     number_[static_cast<std::size_t>(k)] = atom->tag[k];
     position_[static_cast<std::size_t>(k)] = Vec3(atom->x[k][0], atom->x[k][1], atom->x[k][2]);
   }
@@ -284,9 +284,10 @@ int FixLiquid::pack_comm(int count, int* list, double* buffer, int, int*) {
     const int k = list[n];
     const GrainFilms::Published& p = films_.published(k);
     *buffer++ = p.film;
+    *buffer++ = p.thickness;
     *buffer++ = p.scale;
     *buffer++ = p.open;
-    *buffer++ = p.bridges;
+    *buffer++ = p.bridges_over_mass;
     if (!periodic_) continue;
     for (int d = 0; d < 3; ++d) *buffer++ = position_[static_cast<std::size_t>(k)][d];
   }
@@ -295,8 +296,8 @@ int FixLiquid::pack_comm(int count, int* list, double* buffer, int, int*) {
 
 void FixLiquid::unpack_comm(int count, int first, double* buffer) {
   for (int k = first; k < first + count; ++k) {
-    films_.published(k) = {buffer[0], buffer[1], buffer[2], buffer[3]};
-    buffer += 4;
+    films_.published(k) = {buffer[0], buffer[1], buffer[2], buffer[3], buffer[4]};
+    buffer += GrainFilms::Published::size;
     if (!periodic_) continue;
     position_[static_cast<std::size_t>(k)] = Vec3(buffer[0], buffer[1], buffer[2]);
     buffer += 3;

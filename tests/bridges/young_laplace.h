@@ -114,7 +114,7 @@ struct YoungLaplace {
   double force_at(double gap) {
     // A wall bridge begins from that of the pair it mirrors: half the gap, half the liquid.
     const double r = on_wall ? 2.0 : 1.0;
-    const LiquidBridge first{r, theta, 1.0, volume, on_wall};
+    const LiquidBridge first{r, theta, 1.0, volume, on_wall, std::cos(theta)};
     const double beta_d = toroid_filling_angle(first, 0.0);
     const Toroid shape = toroid(r, 0.0, theta, beta_d);
     beta = std::asin(std::min(0.99, r * std::sin(beta_d)));

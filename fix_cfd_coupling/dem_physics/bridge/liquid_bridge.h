@@ -26,18 +26,39 @@ struct LiquidBridge {
   double contact_angle;    // mean of the two [rad], 0 (wetting) to pi/2
   double surface_tension;  // [N/m]
   double volume;           // of liquid [m3]
-  bool on_wall = false;    // then radius is twice the grain's
+  bool on_wall;            // then radius is twice the grain's
+  double cos_angle;        // of the contact angle: most laws need no more
 };
 
+// The mean contact angle of two surfaces with its cosine, which is worth keeping.
+struct ContactAngle {
+  double mean;  // [rad]
+  double cosine;
+};
+inline ContactAngle contact_angle_of(double angle_i, double angle_j) {
+  const double mean = 0.5 * (angle_i + angle_j);
+  return {mean, std::cos(mean)};
+}
+
+inline LiquidBridge bridge_of_grains(double radius_i, double radius_j, const ContactAngle& angle,
+                                     double surface_tension, double volume) {
+  return {2.0 * (radius_i * radius_j / (radius_i + radius_j)),
+          angle.mean,
+          surface_tension,
+          volume,
+          false,
+          angle.cosine};
+}
 inline LiquidBridge bridge_of_grains(double radius_i, double radius_j, double angle_i,
                                      double angle_j, double surface_tension, double volume) {
-  return {2.0 * (radius_i * radius_j / (radius_i + radius_j)), 0.5 * (angle_i + angle_j),
-          surface_tension, volume, false};
+  return bridge_of_grains(radius_i, radius_j, contact_angle_of(angle_i, angle_j), surface_tension,
+                          volume);
 }
 
 inline LiquidBridge bridge_on_wall(double radius, double angle_grain, double angle_wall,
                                    double surface_tension, double volume) {
-  return {2.0 * radius, 0.5 * (angle_grain + angle_wall), surface_tension, volume, true};
+  const ContactAngle angle = contact_angle_of(angle_grain, angle_wall);
+  return {2.0 * radius, angle.mean, surface_tension, volume, true, angle.cosine};
 }
 
 // V / R^3.
@@ -47,7 +68,7 @@ inline double reduced_volume(const LiquidBridge& b) {
 
 // 2 pi R gamma cos theta [N]: the force of every bridge at contact as its volume goes to 0.
 inline double contact_force(const LiquidBridge& b) {
-  return 2.0 * pi * b.radius * b.surface_tension * std::cos(b.contact_angle);
+  return 2.0 * pi * b.radius * b.surface_tension * b.cos_angle;
 }
 
 // Where a law was fitted or found to agree with the Young-Laplace equation: V / R^3 and theta.

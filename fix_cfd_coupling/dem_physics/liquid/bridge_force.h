@@ -1,4 +1,5 @@
-// Force of a standing bridge on grain i, and its torques.
+// Force of a standing bridge on grain i, and its torques: capillary_force(), and where the scene
+// has a viscosity viscous_force().
 //
 //   F = -F_cap n - c_n v_n n - c_t v_t,   T_i = -l_i n x F_t,   T_j = -l_j n x F_t
 //   n from j to i; v = v_i - v_j - (l_i w_i + l_j w_j) x n, of which v_n along n and v_t across
@@ -44,11 +45,8 @@ inline double capillary_force(const LiquidSettings& s, const bridge::LiquidBridg
   return std::visit([&](auto law) -> double { return decltype(law)::force(b, open_gap); }, s.law);
 }
 
-inline BridgeForce bridge_force(const LiquidSettings& s, const bridge::LiquidBridge& b,
-                                const BridgeMotion& m, double& held_back) {
-  BridgeForce f;
-  f.on_i = -capillary_force(s, b, m.gap) * m.normal;
-  if (!s.viscous()) return f;
+inline BridgeForce viscous_force(const LiquidSettings& s, const bridge::LiquidBridge& b,
+                                 const BridgeMotion& m, double& held_back) {
   const Vec3 v = m.velocity - (m.lever_i * m.spin_i + m.lever_j * m.spin_j).cross(m.normal);
   const double v_n = v.dot(m.normal);
   const Vec3 v_t = v - v_n * m.normal;
@@ -58,7 +56,8 @@ inline BridgeForce bridge_force(const LiquidSettings& s, const bridge::LiquidBri
   const double c_t = viscous_tangential(b, s.viscosity, m.gap, s.minimum_separation);
   if (std::max(c_n, c_t) > most) held_back += 1.0;
   const Vec3 tangential = -std::min(c_t, most) * v_t;
-  f.on_i += tangential - std::min(c_n, most) * v_n * m.normal;
+  BridgeForce f;
+  f.on_i = tangential - std::min(c_n, most) * v_n * m.normal;
   const Vec3 turning = m.normal.cross(tangential);
   f.torque_i = -m.lever_i * turning;
   f.torque_j = -m.lever_j * turning;

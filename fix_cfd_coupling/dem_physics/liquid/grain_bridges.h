@@ -19,15 +19,11 @@ inline double rupture_distance(const LiquidSettings& s, const bridge::LiquidBrid
   return std::visit([&](auto law) -> double { return decltype(law)::rupture_distance(b); }, s.law);
 }
 
-// Gap at which two grains' liquid meets [m].
-inline double formation_gap(const LiquidSettings& s, double film_i, double radius_i, double film_j,
-                            double radius_j) {
+// Gap at which the liquid of two bodies with films this thick meets [m].
+inline double formation_gap(const LiquidSettings& s, double thickness_i, double thickness_j) {
   if (s.formation == Formation::touch) return 0.0;
   if (s.formation == Formation::gap) return s.formation_gap;
-  const auto thickness = [](double film, double radius) {
-    return film / (4.0 * bridge::pi * radius * radius);
-  };
-  return thickness(film_i, radius_i) + thickness(film_j, radius_j);
+  return thickness_i + thickness_j;
 }
 
 inline double given_share(const LiquidSettings& s, double radius_i, double radius_j) {
@@ -44,7 +40,10 @@ struct GrainPair {
   bool owns_i, owns_j;  // this rank
   double radius_i, radius_j;
   int type_i, type_j;  // from 0
-  int number_i, number_j;
+};
+// By which the host knows the two.
+struct GrainNumbers {
+  int i, j;
 };
 
 struct BridgeCounts {
@@ -57,36 +56,34 @@ struct BridgeCounts {
 
 inline bridge::LiquidBridge bridge_between(const LiquidSettings& s, const GrainPair& p,
                                            double volume) {
-  return bridge::bridge_of_grains(p.radius_i, p.radius_j, s.contact_angle(p.type_i),
-                                  s.contact_angle(p.type_j), s.surface_tension, volume);
-}
-
-// Gap at which what the pair does changes: it forms below, breaks above.
-inline double deciding_gap(const LiquidSettings& s, const GrainFilms& films, const GrainPair& p,
-                           const StoredBridge& b) {
-  if (b.stands()) return b.rupture;
-  return formation_gap(s, films.published(p.i).film, p.radius_i, films.published(p.j).film,
-                       p.radius_j);
+  return bridge::bridge_of_grains(p.radius_i, p.radius_j, s.angle_between(p.type_i, p.type_j),
+                                  s.surface_tension, volume);
 }
 
 inline void give_back(const LiquidSettings& s, GrainFilms& films, const GrainPair& p,
-                      const StoredBridge& b) {
+                      const GrainNumbers& numbers, const StoredBridge& b) {
   const BrokenBridge broken{b.volume,
                             {p.radius_i, s.contact_angle(p.type_i), given_by_i(b)},
                             {p.radius_j, s.contact_angle(p.type_j), given_by_j(b)}};
   // Asked of the pair in one order, so that both ranks of a pair divide alike to the last digit.
-  const bool swap = p.number_j < p.number_i;
+  const bool swap = numbers.j < numbers.i;
   const BrokenBridge ordered = swap ? BrokenBridge{broken.volume, broken.j, broken.i} : broken;
   const Division d = std::visit([&](auto rule) { return rule.divide(ordered); }, s.division);
   if (p.owns_i) films.change(p.i, swap ? d.to_j : d.to_i);
   if (p.owns_j) films.change(p.j, swap ? d.to_i : d.to_j);
 }
 
+// One step of a bridge that does not break in it.
+inline void stand(GrainFilms& films, const GrainPair& p, const StoredBridge& b) {
+  if (p.owns_i) films.count_bridge(p.i, b.volume);
+  if (p.owns_j) films.count_bridge(p.j, b.volume);
+}
+
 // One step of the pair at this gap [m]. reach: the greatest gap that the host still shows [m];
 // next_gap: at most, in the next step.
 inline void advance(const LiquidSettings& s, GrainFilms& films, BridgeCounts& counts,
-                    const GrainPair& p, StoredBridge& b, double gap, double next_gap,
-                    double reach) {
+                    const GrainPair& p, const GrainNumbers& numbers, StoredBridge& b, double gap,
+                    double next_gap, double reach) {
   const double weight = 0.5 * (static_cast<int>(p.owns_i) + static_cast<int>(p.owns_j));
   const GrainFilms::Published& of_i = films.published(p.i);
   const GrainFilms::Published& of_j = films.published(p.j);
@@ -95,14 +92,14 @@ inline void advance(const LiquidSettings& s, GrainFilms& films, BridgeCounts& co
     if (gap > b.rupture || out_of_reach) {
       counts.broken += weight;
       if (gap <= b.rupture) counts.cut_short += weight;
-      give_back(s, films, p, b);
+      give_back(s, films, p, numbers, b);
       b.clear();
       return;
     }
   } else {
     const double share_i = given_share(s, p.radius_i, p.radius_j);
     const double share_j = given_share(s, p.radius_j, p.radius_i);
-    const bool near = gap <= deciding_gap(s, films, p, b) && next_gap <= reach;
+    const bool near = gap <= formation_gap(s, of_i.thickness, of_j.thickness) && next_gap <= reach;
     const double give_i = given(s, of_i, share_i);
     const double give_j = given(s, of_j, share_j);
     const double volume = give_i + give_j;
@@ -113,11 +110,11 @@ inline void advance(const LiquidSettings& s, GrainFilms& films, BridgeCounts& co
     if (!b.is_asked()) {
       if (of_i.open == GrainFilms::open_to_none || of_j.open == GrainFilms::open_to_none) return;
       b.volume = StoredBridge::asked;
-      if (p.owns_i) films.ask(p.i, share_i, p.number_j);
-      if (p.owns_j) films.ask(p.j, share_j, p.number_i);
+      if (p.owns_i) films.ask(p.i, share_i, numbers.j);
+      if (p.owns_j) films.ask(p.j, share_j, numbers.i);
       return;
     }
-    if (!films.has_place_for(p.i, p.number_j) || !films.has_place_for(p.j, p.number_i)) {
+    if (!films.has_place_for(p.i, numbers.j) || !films.has_place_for(p.j, numbers.i)) {
       b.clear();
       return;
     }
@@ -133,8 +130,7 @@ inline void advance(const LiquidSettings& s, GrainFilms& films, BridgeCounts& co
     if (p.owns_i) films.change(p.i, -give_i);
     if (p.owns_j) films.change(p.j, -give_j);
   }
-  if (p.owns_i) films.count_bridge(p.i, b.volume);
-  if (p.owns_j) films.count_bridge(p.j, b.volume);
+  stand(films, p, b);
 }
 
 }  // namespace gasgrain::liquid

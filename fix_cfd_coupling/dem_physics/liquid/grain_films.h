@@ -27,10 +27,12 @@ class GrainFilms {
 
   // Of a grain, on its owner and on its copies; doubles only, as they are sent.
   struct Published {
-    double film;     // [m3]
-    double scale;    // of what it gives
-    double open;     // to the grain of this number, or one of the two above
-    double bridges;  // it had at the end of the last step
+    double film;               // [m3]
+    double thickness;          // of it [m]
+    double scale;              // of what it gives
+    double open;               // to the grain of this number, or one of the two above
+    double bridges_over_mass;  // of the last step, at least one [1/kg]
+    static constexpr int size = 5;
   };
   // Of an owned grain, moves with it.
   struct Grant {
@@ -54,9 +56,11 @@ class GrainFilms {
     tallies_.resize(grains);
   }
 
-  void publish(int k, double film) {
+  void publish(int k, double film, double radius, double mass) {
+    constexpr double sphere = 4.0 * 3.14159265358979323846;
     const Grant& grant = grants_[at(k)];
-    published_[at(k)] = {film, grant.scale, grant.open, grant.bridges};
+    published_[at(k)] = {film, film / (sphere * radius * radius), grant.scale, grant.open,
+                         std::max(1.0, grant.bridges) / mass};
     tallies_[at(k)] = {};
   }
   [[nodiscard]] const Published& published(int k) const { return published_[at(k)]; }

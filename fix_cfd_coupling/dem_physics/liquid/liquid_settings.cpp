@@ -36,7 +36,10 @@ class Reader {
         fault("\"{}\" is no keyword.{}", word, suggestion(word, names));
     }
     check_whole();
-    if (faults_.empty()) return settings_;
+    if (faults_.empty()) {
+      tabulate_angles();
+      return settings_;
+    }
     std::string text = "fix liquid cannot be used:";
     for (const std::string& one : faults_) text += "\n  " + one;
     throw Error(text);
@@ -130,6 +133,14 @@ class Reader {
     if (angles.empty() || (angles.size() > 1 && static_cast<int>(angles.size()) != types_))
       fault("contact_angle: give one number for all grain types or one for each of the {}, not {}.",
             types_, angles.size());
+  }
+
+  void tabulate_angles() {
+    settings_.types = types_;
+    for (int i = 0; i < types_; ++i)
+      for (int j = 0; j < types_; ++j)
+        settings_.angles_between.push_back(
+            bridge::contact_angle_of(settings_.contact_angle(i), settings_.contact_angle(j)));
   }
 
   void read_formation() {

@@ -44,6 +44,8 @@ struct LiquidSettings {
   std::optional<double> film;  // [m3]
   double surface_tension = -1.0;
   std::vector<double> contact_angles;  // by type, from 0
+  int types = 0;
+  std::vector<bridge::ContactAngle> angles_between;  // of two types
   bridge::BridgeLaw law = bridge::BridgeWillett{};
   DivisionRule division = DivisionEven{};
   double viscosity = 0.0;
@@ -63,6 +65,9 @@ struct LiquidSettings {
   [[nodiscard]] double contact_angle(int type) const {
     return contact_angles.size() == 1 ? contact_angles[0]
                                       : contact_angles[static_cast<std::size_t>(type)];
+  }
+  [[nodiscard]] const bridge::ContactAngle& angle_between(int type_i, int type_j) const {
+    return angles_between[static_cast<std::size_t>(type_i * types + type_j)];
   }
   // Liquid of a grain before it met any other [m3].
   [[nodiscard]] double film_at_first(double radius) const;

@@ -137,10 +137,8 @@ class WallBridges {
             int grain_type, const Seen& seen) {
     StoredBridge& b = slots_[at(k)].bridge;
     const GrainFilms::Published& grain = films.published(k);
-    const double thickness = film_.holds() ? film_.volume / film_.area : 0.0;
-    const double forms_below = s.formation == Formation::films
-                                   ? formation_gap(s, grain.film, radius, 0.0, 1.0) + thickness
-                                   : formation_gap(s, 0.0, 1.0, 0.0, 1.0);
+    const double of_wall = film_.holds() ? film_.volume / film_.area : 0.0;
+    const double forms_below = formation_gap(s, grain.thickness, of_wall);
     const double share = s.given_share.value_or(shadow_share_of_wall);
     const double give = given(s, grain, share);
     const double given_by_wall = film_.given(radius);
