@@ -35,7 +35,7 @@ class CohesionModel<COHESION_VAN_DER_WAALS> : public gasgrain::OwnCohesionModel 
 
   void connectToProperties(PropertyRegistry& registry) override {
     const gasgrain::ContactProperties properties(*lmp, "cohesion van_der_waals");
-    refuse_coarse_grains(properties.model());
+    properties.refuse_unfit_run();
     laws_ = laws(properties);
     bool acts = false;
     for (int i = 1; i <= laws_.types(); ++i)

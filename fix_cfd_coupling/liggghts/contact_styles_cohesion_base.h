@@ -5,11 +5,13 @@
 
 #include <cmath>
 
+#include "fix_cfd_coupling/dem_physics/contact_time.h"
 #include "fix_cfd_coupling/liggghts/contact_styles_ids.h"
 #include "fix_cfd_coupling/liggghts/contact_styles_properties.h"
 // --
 #include "fix_wall_gran.h"
 #include "neighbor.h"
+#include "pair_gran.h"
 
 namespace gasgrain {
 
@@ -37,24 +39,54 @@ class OwnCohesionModel : public LIGGGHTS::ContactModels::CohesionModelBase {
   // Distance of the surfaces [m], below 0 for an overlap. Of a wall the host gives radsum = radi.
   static double gap(const Close& data) { return std::sqrt(data.rsq) - data.radsum; }
 
-  // Asks the host for surfacesClose() up to this gap [m]: its factor is of the sum of the radii of
-  // two grains, and of one radius at a wall. Of a primitive wall it sees what is within the skin
-  // when the neighbour lists are made, from which grains may move by half of it.
-  void reach(double greatest_gap, PropertyRegistry& registry,
+  // Asks the host for surfacesClose() up to this gap [m] of the smallest grains: its factor is of
+  // the sum of the radii of two grains, and of one radius at a wall. Of a primitive wall it sees
+  // what is within the skin when the neighbour lists are made, from which grains may move by half
+  // of it; `greatest_gap` is that of the largest grains.
+  void reach(double gap_of_smallest, double greatest_gap, PropertyRegistry& registry,
              const gasgrain::ContactProperties& properties) {
     constexpr double round_off = 1e-9;
     auto* wall = dynamic_cast<LAMMPS_NS::FixWallGran*>(history_);
     const double radius = registry.min_radius();
-    neighbor->register_contact_dist_factor(1.0 + (1.0 + round_off) * greatest_gap /
+    neighbor->register_contact_dist_factor(1.0 + (1.0 + round_off) * gap_of_smallest /
                                                      (wall != nullptr ? radius : 2.0 * radius));
     if (wall != nullptr && !wall->is_mesh_wall() && greatest_gap > 0.5 * neighbor->skin)
       properties.refuse(fmt::format(
-          "the force reaches over gaps of {:g} m, but a primitive wall sees grains within half of "
-          "the skin only, {:g} m. Write 'neighbor {:g} bin', or make the reach shorter.",
-          greatest_gap, 0.5 * neighbor->skin, 2.0 * greatest_gap));
+          "the force reaches over gaps of {:.3g} m, but a primitive wall sees grains within half "
+          "of the skin only, {:.3g} m. Write 'neighbor {:.3g} bin', or make the reach shorter.",
+          greatest_gap, 0.5 * neighbor->skin, 2.001 * greatest_gap));
   }
+  void reach(double gap, PropertyRegistry& registry,
+             const gasgrain::ContactProperties& properties) {
+    reach(gap, gap, registry, properties);
+  }
+  // For a model without properties; the others' refuse_unfit_run() says the same.
   void refuse_coarse_grains(const std::string& model) {
     if (force->cg_active()) error->cg(FLERR, model.c_str());
+  }
+  // Whether the contact's history may change: not while forces are only looked at.
+  static bool updates(const Close& data) {
+    return data.computeflag != 0 && data.shearupdate != 0 && data.contact_history != nullptr;
+  }
+  // What the host keeps of a contact between two makings of the neighbour lists.
+  static void keep_history(const Close& data, bool keep) {
+    if (data.contact_flags == nullptr) return;
+    if (keep)
+      *data.contact_flags |= LIGGGHTS::ContactModels::CONTACT_COHESION_MODEL;
+    else
+      *data.contact_flags &= ~LIGGGHTS::ContactModels::CONTACT_COHESION_MODEL;
+  }
+  [[nodiscard]] bool is_wall() const {
+    return dynamic_cast<LAMMPS_NS::FixWallGran*>(history_) != nullptr;
+  }
+  static double reduced_radius(const Close& data) {
+    return data.is_wall ? data.radi : gasgrain::contact::effective(data.radi, data.radj);
+  }
+  // The normal model's name as the script has it is `name`.
+  [[nodiscard]] bool normal_model_is(const char* name) const {
+    if (auto* wall = dynamic_cast<LAMMPS_NS::FixWallGran*>(history_))
+      return wall->contact_match("normal", name);
+    return dynamic_cast<LAMMPS_NS::PairGran&>(*history_).contact_match("normal", name);
   }
 
   // Attraction [N] of touching bodies.

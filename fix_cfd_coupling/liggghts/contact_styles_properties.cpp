@@ -6,8 +6,11 @@
 #include "lammps.h"
 // --
 #include "atom.h"
+#include "error.h"
 #include "fix_property_global.h"
+#include "force.h"
 #include "modify.h"
+#include "update.h"
 
 namespace gasgrain {
 
@@ -84,6 +87,13 @@ std::vector<double> ContactProperties::need_per_type(const char* name, const cha
 double ContactProperties::need_scalar(const char* name, const char* unit) const {
   if (auto value = scalar(name)) return *value;
   refuse_missing(name, fmt::format("fix ID all property/global {} scalar VALUE  ({})", name, unit));
+}
+
+void ContactProperties::refuse_unfit_run() const {
+  if (host_.force->cg_active()) host_.error->cg(FLERR, model_.c_str());
+  if (std::strcmp(host_.update->unit_style, "si") != 0)
+    refuse(fmt::format("it works in SI, but the script has 'units {}'. Write 'units si'.",
+                       host_.update->unit_style));
 }
 
 void ContactProperties::refuse(const std::string& why) const {

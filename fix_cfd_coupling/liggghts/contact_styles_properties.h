@@ -50,6 +50,9 @@ class ContactProperties {
   [[nodiscard]] std::vector<double> need_per_type(const char* name, const char* unit) const;
   [[nodiscard]] double need_scalar(const char* name, const char* unit) const;
 
+  // Ends where units are not the laws', and, as the host's models do, where grains stand for many.
+  void refuse_unfit_run() const;
+
   [[noreturn]] void refuse(const std::string& why) const;
   [[noreturn]] void refuse_missing(const char* name, const std::string& lines) const;
 
@@ -60,12 +63,12 @@ class ContactProperties {
 };
 
 // A law for each pair of types, `make(i, j)`, each one checked by the law's own check(); all faults
-// come as one message, which says of which property they are.
+// come as one message, which says of which property they are; `faults` are those found before.
 template <class Make>
-auto checked_laws(const ContactProperties& properties, const std::string& source, Make make) {
+auto checked_laws(const ContactProperties& properties, const std::string& source, Make make,
+                  std::string faults = "") {
   using Law = decltype(make(1, 1));
   PairTable<Law> laws(properties.types());
-  std::string faults;
   for (int i = 1; i <= properties.types(); ++i)
     for (int j = 1; j <= properties.types(); ++j) {
       try {
