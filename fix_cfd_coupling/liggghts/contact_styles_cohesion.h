@@ -4,4 +4,5 @@
 // (contact_styles_compiled.h). Ids are below 64; the host has 1, 2, 7 and 8.
 #include "fix_cfd_coupling/liggghts/cohesion_model_bridge.h"
 #include "fix_cfd_coupling/liggghts/cohesion_model_electrostatic.h"
+#include "fix_cfd_coupling/liggghts/cohesion_model_jkr.h"
 #include "fix_cfd_coupling/liggghts/cohesion_model_van_der_waals.h"
