@@ -5,4 +5,5 @@
 #include "fix_cfd_coupling/liggghts/cohesion_model_bridge.h"
 #include "fix_cfd_coupling/liggghts/cohesion_model_electrostatic.h"
 #include "fix_cfd_coupling/liggghts/cohesion_model_jkr.h"
+#include "fix_cfd_coupling/liggghts/cohesion_model_sintered_neck.h"
 #include "fix_cfd_coupling/liggghts/cohesion_model_van_der_waals.h"
