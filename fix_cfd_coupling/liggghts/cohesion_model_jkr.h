@@ -53,28 +53,29 @@ class CohesionModel<COHESION_JKR> : public gasgrain::OwnCohesionModel {
       }
     // Beyond the snap the host must still call once, for the history to forget.
     constexpr double beyond = 1.1;
-    if (greatest > 0.0) reach(beyond * of_smallest, beyond * greatest, registry, properties);
+    acts_ = greatest > 0.0;
+    if (acts_) reach(beyond * of_smallest, beyond * greatest, registry, properties);
   }
 
   void surfacesIntersect(Intersect& data, Force& i, Force& j) override {
+    if (!acts_) return;
     if (updates(data)) data.contact_history[touched_] = stamp_.now();
     keep_history(data, true);
     pull(law_of(data).attraction(-gap(data)), data, i, j);
   }
 
   void surfacesClose(Close& data, Force& i, Force& j) override {
-    double* const touched =
-        data.contact_history == nullptr ? nullptr : data.contact_history + touched_;
-    const Law law = law_of(data);
+    if (!acts_ || data.contact_history == nullptr) return;
+    double& touched = data.contact_history[touched_];
     const double overlap = -gap(data);
-    if (touched == nullptr || !law.touches(overlap, stamp_.holds(*touched))) {
-      if (updates(data)) *touched = 0.0;
+    if (!stamp_.holds(touched) || !law_of(data).touches(overlap, true)) {
+      if (updates(data)) touched = 0.0;
       keep_history(data, false);
       return;
     }
-    if (updates(data)) *touched = stamp_.now();
+    if (updates(data)) touched = stamp_.now();
     keep_history(data, true);
-    pull(law.attraction(overlap), data, i, j);
+    pull(law_of(data).attraction(overlap), data, i, j);
   }
 
  private:
@@ -126,6 +127,7 @@ class CohesionModel<COHESION_JKR> : public gasgrain::OwnCohesionModel {
   }
 
   int touched_;
+  bool acts_ = false;  // any work of adhesion is not 0
   gasgrain::ContactStamp stamp_;
   gasgrain::PairTable<Law> laws_;
 };

@@ -69,8 +69,8 @@ class CohesionModel<COHESION_SINTERED_NECK> : public gasgrain::OwnCohesionModel 
   void beginPass(Intersect&, Force&, Force&) override { laws_.send_temperatures(); }
 
   void surfacesIntersect(Intersect& data, Force&, Force&) override {
-    keep_history(data, true);
     if (!laws_.act() || data.contact_history == nullptr) return;
+    keep_history(data, true);
     Neck neck(data.contact_history + neck_);
     if (updates(data)) {
       if (!stamp_.holds(neck.stamp)) meet(data, neck);

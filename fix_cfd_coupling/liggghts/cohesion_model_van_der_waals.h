@@ -37,17 +37,17 @@ class CohesionModel<COHESION_VAN_DER_WAALS> : public gasgrain::OwnCohesionModel 
     const gasgrain::ContactProperties properties(*lmp, "cohesion van_der_waals");
     properties.refuse_unfit_run();
     laws_ = laws(properties);
-    bool acts = false;
+    acts_ = false;
     for (int i = 1; i <= laws_.types(); ++i)
-      for (int j = 1; j <= laws_.types(); ++j) acts = acts || laws_(i, j).hamaker != 0.0;
-    if (acts) reach(greatest_gap_, registry, properties);
+      for (int j = 1; j <= laws_.types(); ++j) acts_ = acts_ || laws_(i, j).hamaker != 0.0;
+    if (acts_) reach(greatest_gap_, registry, properties);
   }
 
   void surfacesIntersect(Intersect& data, Force& i, Force& j) override {
-    pull(attraction(data), data, i, j);
+    if (acts_) pull(attraction(data), data, i, j);
   }
   void surfacesClose(Close& data, Force& i, Force& j) override {
-    pull(attraction(data), data, i, j);
+    if (acts_) pull(attraction(data), data, i, j);
   }
 
  private:
@@ -95,6 +95,7 @@ class CohesionModel<COHESION_VAN_DER_WAALS> : public gasgrain::OwnCohesionModel 
                         });
   }
 
+  bool acts_ = false;  // any constant is not 0
   double smallest_gap_ = 0.0;
   double greatest_gap_ = 0.0;
   gasgrain::PairTable<Law> laws_;
