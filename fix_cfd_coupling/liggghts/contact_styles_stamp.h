@@ -13,21 +13,22 @@ namespace gasgrain {
 
 class ContactStamp {
  public:
-  // At the host's init: the step from which the run goes on. `reset_timestep` may have changed it;
-  // then the last step seen, on any rank, stands for the step before.
+  // At the host's init: the step from which the run goes on. Where `reset_timestep` has set it
+  // back, the last step seen, on any rank, stands for the step before; where it was set forward,
+  // what contacts hold is taken for torn.
   void begin_run(LAMMPS_NS::LAMMPS& host) {
     host_ = &host;
-    first_ = host.update->ntimestep;
+    first_ = static_cast<double>(host.update->ntimestep);
     double last = last_;
-    MPI_Allreduce(&last, &resumed_, 1, MPI_DOUBLE, MPI_MAX, host.world);
+    MPI_Allreduce(&last, &before_reset_, 1, MPI_DOUBLE, MPI_MAX, host.world);
+    if (before_reset_ <= first_ + 1.0) before_reset_ = never;
   }
 
   // The history value 0 of a new contact is never of the step before.
   [[nodiscard]] bool holds(double stamp) const {
-    if (stamp == 0.0) return false;
-    const double now = step();
-    const double age = now + 1.0 - stamp;
-    return (age >= 0.0 && age <= 1.0) || (stamp == resumed_ && now - first_ <= 1.0);
+    if (stamp == never) return false;
+    const double age = step() + 1.0 - stamp;
+    return (age >= 0.0 && age <= 1.0) || (stamp == before_reset_ && step() - first_ <= 1.0);
   }
   // The value to store now.
   double now() {
@@ -36,12 +37,13 @@ class ContactStamp {
   }
 
  private:
+  static constexpr double never = 0.0;
   [[nodiscard]] double step() const { return static_cast<double>(host_->update->ntimestep); }
 
   LAMMPS_NS::LAMMPS* host_ = nullptr;
   double first_ = 0.0;
-  double last_ = 0.0;  // stamp
-  double resumed_ = 0.0;
+  double last_ = never;  // stamp
+  double before_reset_ = never;
 };
 
 }  // namespace gasgrain
