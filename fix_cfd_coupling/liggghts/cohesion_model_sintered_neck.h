@@ -97,8 +97,11 @@ class CohesionModel<COHESION_SINTERED_NECK> : public gasgrain::OwnCohesionModel 
     Neck neck(data.contact_history + neck_);
     const double stretch = gap(data);
     const double attraction = gasgrain::adhesion::neck_attraction(neck.stiffness, stretch);
-    const bool holds = stamp_.holds(neck.stamp) && stretch <= words_.greatest_gap &&
+    const bool bears = stamp_.holds(neck.stamp) &&
                        laws_(data.itype, data.jtype).holds(attraction, 0.0, neck.radius);
+    const bool holds = bears && stretch <= words_.greatest_gap;
+    if (bears && !holds && updates(data))
+      tell(++overstretched_, "broke at greatest_gap, though they bore the pull: make it greater");
     if (holds && updates(data)) grow(data, neck);
     if (!holds && updates(data)) neck.forget();
     keep_history(data, holds);
@@ -142,26 +145,29 @@ class CohesionModel<COHESION_SINTERED_NECK> : public gasgrain::OwnCohesionModel 
         data.is_wall ? grain_radius_at_wall(data.radi) : grain_radius_of_pair(data.radi, data.radj);
     const double temperature = laws_.temperature(data.i, data.is_wall ? data.i : data.j);
     const auto& growth = laws_(data.itype, data.jtype).growth;
+    const bool was_wide = growth.beyond_first_stage(neck.radius, grain);
     neck.radius = growth.grown(neck.radius, grain, temperature,
                                durations.growth_between(neck.time, neck.time + dt));
     neck.time += dt;
     neck.stamp = stamp_.now();
-    if (!warned_ && growth.beyond_first_stage(neck.radius, grain)) warn_of_wide_neck(neck.radius);
+    if (!was_wide && growth.beyond_first_stage(neck.radius, grain))
+      tell(++wide_, "grew wider than 0.3 of the radii that touch, where the law of growth ends");
   }
 
-  // Once per rank and model: from then on the necks grow beyond the law.
-  void warn_of_wide_neck(double radius) {
-    warned_ = true;
+  // At the 1st, 10th, 100th ... of this rank and model.
+  void tell(long count, const char* what) const {
+    long power = 1;
+    while (power < count) power *= 10;
+    if (power != count) return;
     error->warning(FLERR,
-                   fmt::format("cohesion sintered_neck: a neck of {:.3g} m is wider than 0.3 "
-                               "of the radii that touch, where its law of growth ends (step "
-                               "{}). Further ones are not told of.",
-                               radius, update->ntimestep)
+                   fmt::format("cohesion sintered_neck, step {}: {} of this rank's necks {}.",
+                               update->ntimestep, count, what)
                        .c_str());
   }
 
   int neck_;
-  bool warned_ = false;
+  long wide_ = 0;
+  long overstretched_ = 0;
   gasgrain::NeckWords words_;
   gasgrain::NeckLaws laws_;
   gasgrain::ContactStamp stamp_;

@@ -529,10 +529,13 @@ class SinteredNeck(Forces):
         self.assertLess(abs(self.held_to(rows) - expected), 2.1e-9)
         self.assertEqual(rows, case.steps(ranks=2))
 
-    def test_beyond_the_greatest_gap_a_neck_breaks(self):
+    def test_beyond_the_greatest_gap_a_neck_breaks_and_is_told_of(self):
         case = Case(equal_pair(-1e-7), self.MODEL, self.properties(), words="greatest_gap 5e-8 "
                     "neck_temperature 1400", after=driven((0.0, 500), (0.1, 400)))
-        self.assertLess(abs(self.held_to(case.steps()) - 5e-8), 1.1e-9)
+        status, text, rows = case.run()
+        self.assertEqual(status, 0, text)
+        self.assertLess(abs(self.held_to(rows) - 5e-8), 1.1e-9)
+        self.assertIn("1 of this rank's necks broke at greatest_gap", text)
 
     def test_a_neck_holds_against_sliding_up_to_its_shear_strength(self):
         # Sheared by 0.4 nm a step: the spring's force grows beyond mu F_n = 1e-10 N until tau A.
@@ -757,7 +760,7 @@ class Refusals(unittest.TestCase):
                      Electrostatic.MODEL, charge.format("yes"), words="greatest_gap 1e-4 medium_permittivity 0.5")
 
     def test_sintered_neck(self):
-        neck = SinteredNeck("test_beyond_the_greatest_gap_a_neck_breaks")
+        neck = SinteredNeck("test_beyond_the_greatest_gap_a_neck_breaks_and_is_told_of")
         self.refused(["greatest_gap = 0 m must be above 0", "micro_contacts = 2.5", "must be 1, 3 or 9",
                       "surface tension = -1 N/m must be 0 or above"], pairs_at(1e-8), neck.MODEL,
                      neck.properties(tension=-1.0), words="neck_temperature 1400 micro_contacts 2.5")
