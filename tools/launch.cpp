@@ -4,8 +4,13 @@
 #include <unistd.h>
 
 #include "tools/results_folder.h"
+#include "tools/script_scan.h"
 
 namespace gasgrain {
+
+int dem_ranks(const RunOptions& options) {
+  return options.dem_ranks_given || !is_without_gas(options.scene) ? options.dem_ranks : 1;
+}
 
 Command launch_command(const RunOptions& options, const Programs& programs,
                        const std::filesystem::path& results, std::optional<long> restart_step) {
@@ -21,15 +26,17 @@ Command launch_command(const RunOptions& options, const Programs& programs,
   words = {programs.mpirun, "--oversubscribe", "--bind-to", "none"};
   if (geteuid() == 0) words.emplace_back("--allow-run-as-root");
 
-  words.insert(words.end(), {"-np", std::to_string(options.dem_ranks), programs.dem});
+  const bool gas = !is_without_gas(options.scene);
+  words.insert(words.end(), {"-np", std::to_string(dem_ranks(options)), programs.dem});
   // What the DEM says is in run.log; a log of its own would land in the scene folder.
   words.insert(words.end(), {"-in", "in.liggghts", "-log", "none", "-var", "out", results});
   if (options.time_s)
     words.insert(words.end(), {"-var", "time", fmt::format("{}", *options.time_s)});
-  words.insert(words.end(), {"-var", "restart", std::to_string(restart_step.value_or(0))});
+  if (gas) words.insert(words.end(), {"-var", "restart", std::to_string(restart_step.value_or(0))});
   for (const auto& [name, value] : options.variables)
     words.insert(words.end(), {"-var", name, value});
 
+  if (!gas) return command;
   words.insert(words.end(), {":", "-np", std::to_string(options.gas_ranks), programs.gas});
   words.insert(words.end(), {"gas.toml", "--out", results});
   if (restart_step)

@@ -1,4 +1,4 @@
-// The one mpirun command that starts both sides of a run.
+// The one mpirun command that starts both sides of a run, or the DEM side of a scene without gas.
 #pragma once
 
 #include <optional>
@@ -8,6 +8,9 @@
 #include "tools/run_options.h"
 
 namespace gasgrain {
+
+// As asked for; a scene of grains alone, which is small, has one rank where none is named.
+int dem_ranks(const RunOptions& options);
 
 // `results` is absolute; `restart_step` names the checkpoint to go on from.
 Command launch_command(const RunOptions& options, const Programs& programs,

@@ -20,18 +20,29 @@ constexpr const char* run_examples = R"(Examples:
       goes on from the newest checkpoint of results/spouted_bed_small
   gasgrain run inputs/spouted_bed_small --var inlet_velocity 30 --var seed 7
       sets variables of in.liggghts
+  gasgrain run inputs/calibration/angle_of_repose_pile --set friction=0.3 --set quick=1
+      a scene of grains alone: no gas, and what measure.toml asks for is measured
 
 Ctrl-C writes a checkpoint and ends the run; a second Ctrl-C ends it at once.)";
 
 void add_run(CLI::App& app, gasgrain::RunOptions& options) {
   CLI::App* run = app.add_subcommand("run", "Checks a scene, runs it, and plots what came out");
-  run->add_option("SCENE", options.scene, "Folder with in.liggghts and gas.toml")->required();
-  run->add_option("--dem-ranks", options.dem_ranks, "MPI ranks of the DEM side")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  run->add_option("--gas-ranks", options.gas_ranks, "MPI ranks of the gas side")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  run->add_option("SCENE", options.scene,
+                  "Folder with in.liggghts and gas.toml (without gas.toml: grains alone)")
+      ->required();
+  const auto* dem_ranks =
+      run->add_option("--dem-ranks", options.dem_ranks,
+                      "MPI ranks of the DEM side (1 for grains alone, unless given)")
+          ->check(CLI::PositiveNumber)
+          ->capture_default_str();
+  const auto* gas_ranks =
+      run->add_option("--gas-ranks", options.gas_ranks, "MPI ranks of the gas side")
+          ->check(CLI::PositiveNumber)
+          ->capture_default_str();
+  run->parse_complete_callback([&options, dem_ranks, gas_ranks] {
+    options.dem_ranks_given = dem_ranks->count() > 0;
+    options.gas_ranks_given = gas_ranks->count() > 0;
+  });
   run->add_option("--time", options.time_s, "Simulated time [s] instead of the scene's own")
       ->check(CLI::PositiveNumber);
   run->add_option("--out", options.out, "Results folder (default: results/<scene name>)");
@@ -39,6 +50,19 @@ void add_run(CLI::App& app, gasgrain::RunOptions& options) {
   run->add_flag("--no-plots", options.no_plots, "Leave out history.png and bed.png");
   run->add_option("--var", options.variables, "NAME VALUE: a variable of in.liggghts; repeatable")
       ->type_name("NAME VALUE")
+      ->allow_extra_args(false);
+  run->add_option_function<std::vector<std::string>>(
+         "--set",
+         [&options](const std::vector<std::string>& settings) {
+           for (const auto& setting : settings) {
+             const auto equals = setting.find('=');
+             if (equals == 0 || equals == std::string::npos)
+               throw CLI::ValidationError("--set", '"' + setting + "\" must read NAME=VALUE");
+             options.variables.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
+           }
+         },
+         "NAME=VALUE: as --var, in one word; repeatable")
+      ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
   run->footer(run_examples);
 }

@@ -33,10 +33,10 @@ Programs find_programs() {
   return {folder / "gasgrain-liggghts", folder / "gasgrain-gas", on_path("mpirun")};
 }
 
-std::vector<std::string> program_faults(const Programs& programs) {
+std::vector<std::string> program_faults(const Programs& programs, bool gas) {
   std::vector<std::string> faults;
   for (const auto& program : {programs.dem, programs.gas})
-    if (!is_executable(program))
+    if ((gas || program != programs.gas) && !is_executable(program))
       faults.push_back(fmt::format("{} is not in {}. Build it: ./bootstrap build",
                                    program.filename().string(), program.parent_path().string()));
   if (programs.mpirun.empty())

@@ -16,8 +16,9 @@ struct Programs {
 // The folder of this executable, or $GASGRAIN_BIN_DIR where that is set.
 Programs find_programs();
 
-// A line for each program that is absent or not executable, with the remedy.
-std::vector<std::string> program_faults(const Programs& programs);
+// A line for each program that is absent or not executable, with the remedy; of the gas's where the
+// run has a gas.
+std::vector<std::string> program_faults(const Programs& programs, bool gas);
 
 bool is_executable(const std::filesystem::path& file);
 

@@ -2,40 +2,42 @@
 #pragma once
 
 #include <chrono>
-
-#include "tools/history.h"
-#include "tools/progress_text.h"
+#include <filesystem>
+#include <functional>
+#include <string>
 
 namespace gasgrain {
 
 class Progress {
  public:
-  // Made before the launch: what an earlier run left in the folder is not taken for news.
-  explicit Progress(const std::filesystem::path& results);
+  // The line's text for a wall time [s], a width, and with or without a bar; empty when there is
+  // nothing to tell yet.
+  using Text = std::function<std::string(double wall_s, std::size_t width, bool bar)>;
+  explicit Progress(Text text);
 
-  // Looks at the files and shows what is new, when it is time to.
+  // Shows what is new, when it is time to.
   void update();
   // Ends the line drawn in place, so that other text can follow.
   void end_line();
   [[nodiscard]] double wall_s() const;
 
  private:
-  [[nodiscard]] std::optional<ProgressState> state();
-  void show(const std::optional<ProgressState>& state);
+  void show(const std::string& text);
 
   using Clock = std::chrono::steady_clock;
-  std::filesystem::path plan_file_;
-  std::filesystem::file_time_type plan_time_;
-  std::optional<RunPlan> plan_;
-  History history_;
+  Text text_;
   bool terminal_;
   bool line_open_ = false;
   Clock::time_point start_ = Clock::now();
   Clock::time_point shown_ = start_;
-  // Where the present stage was first seen: the time left is reckoned from its own pace.
-  std::optional<bool> stage_packing_;
-  double stage_time_s_ = 0.0;
-  double stage_wall_s_ = 0.0;
 };
+
+// Of a coupled run, from run.json and history.csv. Made before the launch: what an earlier run left
+// in the folder is not taken for news.
+Progress::Text coupled_progress(const std::filesystem::path& results);
+
+// Of a run of grains alone, from the thermo lines in `log`, against the steps of the script's runs
+// where they can be told.
+Progress::Text grains_progress(const std::filesystem::path& log, long last_step);
 
 }  // namespace gasgrain

@@ -25,7 +25,8 @@ bool holds_a_run(const fs::path& folder) {
 bool is_run_file(const fs::path& file) {
   const std::string name = file.filename();
   for (const char* known :
-       {"history.csv", "run.json", "gas.h5", "gas.xdmf", "packed.restart", "particles.vtk.series"})
+       {"history.csv", "run.json", "gas.h5", "gas.xdmf", "packed.restart", "particles.vtk.series",
+        "measured.csv", "measured_curve.csv", "measured.json"})
     if (name == known) return true;
   return file.extension() == ".png" ||
          (name.rfind("ledger", 0) == 0 && file.extension() == ".json") || name == "audit.txt" ||

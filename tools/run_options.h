@@ -13,6 +13,8 @@ struct RunOptions {
   std::filesystem::path scene;
   int dem_ranks = 2;
   int gas_ranks = 1;
+  bool dem_ranks_given = false;  // by the user; a scene of grains alone else has one
+  bool gas_ranks_given = false;
   std::optional<double> time_s;  // simulated time; the scene's own when absent
   std::filesystem::path out;     // empty: results/<scene name>
   bool restart = false;

@@ -2,14 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
+#include <algorithm>
 #include <map>
 #include <sstream>
 
 #include "coupling/base/error.h"
 #include "tools/child_process.h"
 #include "tools/failure.h"
+#include "tools/measure/measure_file.h"
 #include "tools/results_folder.h"
+#include "tools/script_scan.h"
 
 namespace gasgrain {
 
@@ -17,7 +19,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* coupling_style = "couple/gas";
 constexpr std::chrono::seconds check_limit{10};
 
 bool is_scene(const fs::path& folder) {
@@ -48,41 +49,6 @@ std::string absent_scene(const fs::path& scene) {
   return fmt::format("{}: there is no such scene folder.{}", scene.string(), advice);
 }
 
-// Looks for the fix in one DEM script and in the files it includes.
-struct CouplingSearch {
-  bool found = false;
-  std::vector<std::string> misspelt;
-
-  void read(const fs::path& script, int depth = 0) {
-    constexpr int deepest = 8;  // a script may include itself
-    std::ifstream file(script);
-    int number = 0;
-    std::string command;
-    for (std::string line; depth < deepest && std::getline(file, line);) {
-      ++number;
-      command += line.substr(0, line.find('#'));
-      const auto last = command.find_last_not_of(" \t\r");
-      if (last != std::string::npos && command[last] == '&') {
-        command.replace(last, std::string::npos, " ");
-        continue;
-      }
-      std::istringstream words(command);
-      std::string verb;
-      std::string id;
-      std::string group;
-      std::string style;
-      words >> verb >> id >> group >> style;
-      if (verb == "include") read(script.parent_path() / id, depth + 1);
-      if (verb == "fix" && style == coupling_style) found = true;
-      if (verb == "fix" && style.rfind("couple/", 0) == 0 && style != coupling_style &&
-          !nearest_name(style, {coupling_style}).empty())
-        misspelt.push_back(fmt::format("{}:{}: fix style \"{}\" is unknown.{}", script.string(),
-                                       number, style, suggestion(style, {coupling_style})));
-      command.clear();
-    }
-  }
-};
-
 void check_script(const fs::path& scene, std::vector<std::string>& faults) {
   const fs::path script = scene / "in.liggghts";
   if (!fs::is_regular_file(script)) {
@@ -90,15 +56,16 @@ void check_script(const fs::path& scene, std::vector<std::string>& faults) {
         fmt::format("{} is absent: it is the DEM side of the scene.", script.string()));
     return;
   }
-  CouplingSearch search;
-  search.read(script);
-  if (search.found) return;
-  faults.insert(faults.end(), search.misspelt.begin(), search.misspelt.end());
-  if (search.misspelt.empty())
+  if (is_without_gas(scene)) return;
+  const ScriptScan scan(script);
+  if (scan.couples) return;
+  faults.insert(faults.end(), scan.misspelt.begin(), scan.misspelt.end());
+  if (scan.misspelt.empty())
     faults.push_back(fmt::format(
         "{}: no line couples the particles to the gas. Add one before the first run, for example:\n"
-        "  fix gas all {} every 100 drag koch_hill pressure_gradient",
-        script.string(), coupling_style));
+        "  fix gas all {} every 100 drag koch_hill pressure_gradient\n"
+        "or, for a scene of grains alone, take gas.toml away.",
+        script.string(), ScriptScan::coupling_style));
 }
 
 void check_gas(const RunOptions& options, const Programs& programs,
@@ -123,31 +90,77 @@ void check_gas(const RunOptions& options, const Programs& programs,
   }
 }
 
-void check_request(const RunOptions& options, std::vector<std::string>& faults) {
+void check_variables(const RunOptions& options, std::vector<std::string>& faults) {
+  const fs::path script = options.scene / "in.liggghts";
+  const ScriptScan scan(script);
+  const auto& known = scan.index_names;
+  const auto is_known = [&](const std::string& name) {
+    return std::find(known.begin(), known.end(), name) != known.end();
+  };
+  for (const auto& [name, value] : options.variables) {
+    const std::vector<std::string> own{"out", "time", "restart"};
+    if (std::find(own.begin(), own.end(), name) != own.end())
+      faults.push_back(
+          fmt::format("--var {0}: this variable is set by gasgrain. Use --{0} instead.", name));
+    else if (fs::is_regular_file(script) && !is_known(name))
+      faults.push_back(fmt::format("{}: no line 'variable {} index ...'.{}", script.string(), name,
+                                   suggestion(name, known)));
+  }
+  if (options.time_s && is_without_gas(options.scene) && !is_known("time"))
+    faults.push_back(
+        fmt::format("--time: {} has no line 'variable time index ...': the scene's end is its own.",
+                    script.string()));
+}
+
+void check_restart(const RunOptions& options, std::vector<std::string>& faults) {
   const fs::path results = results_path(options);
   if (options.restart && !newest_checkpoint(results))
     faults.push_back(fmt::format(
         "{} holds no complete checkpoint (dem.STEP.restart and gas.STEP.h5 of one step). Leave out "
         "--restart to begin anew, or name the folder of the run to go on with: --out DIR",
         (results / "checkpoint").string()));
-  for (const auto& variable : options.variables)
-    for (const char* taken : {"out", "time", "restart"})
-      if (variable.first == taken)
-        faults.push_back(
-            fmt::format("--var {0}: this variable is set by gasgrain. Use --{0} instead.", taken));
+}
+
+// What is asked of a scene of grains alone that only a coupled one can give.
+void check_without_gas(const RunOptions& options, std::vector<std::string>& faults) {
+  const std::string scene = options.scene.string();
+  if (options.gas_ranks_given)
+    faults.push_back(fmt::format(
+        "--gas-ranks: {} is a scene of grains alone, it has no gas.toml: there is no gas to be "
+        "computed. Leave it out.",
+        scene));
+  if (options.restart)
+    faults.push_back(fmt::format(
+        "--restart: {} is a scene of grains alone, which is short and writes no checkpoints. Leave "
+        "it out to begin anew.",
+        scene));
+}
+
+void check_measure(const RunOptions& options, std::vector<std::string>& faults) {
+  try {
+    read_measure_file(options.scene);
+  } catch (const Error& e) {
+    faults.emplace_back(e.what());
+  }
 }
 
 }  // namespace
 
 std::vector<std::string> scene_faults(const RunOptions& options, const Programs& programs) {
-  std::vector<std::string> faults = program_faults(programs);
+  std::vector<std::string> faults = program_faults(programs, !is_without_gas(options.scene));
   if (!fs::is_directory(options.scene)) {
     faults.push_back(absent_scene(options.scene));
     return faults;
   }
   check_script(options.scene, faults);
-  check_gas(options, programs, faults);
-  check_request(options, faults);
+  if (is_without_gas(options.scene)) {
+    check_without_gas(options, faults);
+  } else {
+    check_gas(options, programs, faults);
+    check_restart(options, faults);
+  }
+  check_measure(options, faults);
+  check_variables(options, faults);
   return faults;
 }
 

@@ -83,8 +83,9 @@ std::string summary(const fs::path& results, double wall_s, const std::string& c
 
 std::string made_files(const fs::path& results) {
   std::string text;
-  for (const char* name : {"history.csv", "history.png", "bed.png", "gas.xdmf",
-                           "particles.vtk.series", "ledger.json", "audit.txt", "run.log"})
+  for (const char* name :
+       {"history.csv", "history.png", "bed.png", "gas.xdmf", "particles.vtk.series", "ledger.json",
+        "audit.txt", "measured.csv", "measured_curve.csv", "measured.png", "run.log"})
     if (fs::exists(results / name)) text += fmt::format("  {}\n", (results / name).string());
   for (const char* name : {"particles", "checkpoint"})
     if (has_files(results / name)) text += fmt::format("  {}/\n", (results / name).string());

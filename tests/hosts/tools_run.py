@@ -70,7 +70,8 @@ class RunCommand(unittest.TestCase):
         self.results = self.top / "results/spouted_bed"
         self.write("bin/gasgrain-liggghts", DEM).chmod(0o755)
         self.write("bin/gasgrain-gas", GAS).chmod(0o755)
-        self.write("inputs/spouted_bed/in.liggghts", "fix gas all couple/gas &\n  every 10\n")
+        self.write("inputs/spouted_bed/in.liggghts", "variable seed index 1\nvariable slope index 1\n"
+                   "fix gas all couple/gas &\n  every 10\n")
         self.write("inputs/spouted_bed/gas.toml", "")
 
     def tearDown(self):
