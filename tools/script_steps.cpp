@@ -16,7 +16,6 @@ long last_step(const RunOptions& options) {
     long step = 0;
     for (const auto& command : script.commands()) {
       if (command.words.size() < 2) continue;
-      if (command.words[0] == "next") return 0;
       if (command.words[0] == "reset_timestep") step = std::atol(command.words[1].c_str());
       if (command.words[0] != "run") continue;
       const long count = std::lround(std::strtod(command.words[1].c_str(), nullptr));

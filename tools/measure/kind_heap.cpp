@@ -49,7 +49,6 @@ Measurement measure_heap(const std::filesystem::path& results, const HeapKeys& k
     reach = std::max(reach, (grain.position - axis).head<2>().norm());
   reach += diameter;
 
-  constexpr double points_per_grain = 4.0;  // across
   auto points = seen_from_above(
       grains, {axis.x() - reach, axis.x() + reach, axis.y() - reach, axis.y() + reach},
       diameter / points_per_grain, keys.floor);

@@ -24,6 +24,11 @@ struct MeasureKind {
 const std::vector<MeasureKind>& all_measure_kinds();
 
 Measure read_bounce(InputTable& table);
+Measure read_drained(InputTable& table);
+Measure read_drum(InputTable& table);
 Measure read_heap(InputTable& table);
+Measure read_impact(InputTable& table);
+Measure read_shear(InputTable& table);
+Measure read_uniaxial(InputTable& table);
 
 }  // namespace gasgrain

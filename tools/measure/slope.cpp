@@ -32,6 +32,19 @@ std::vector<Bin> mean_profile(const std::vector<SurfacePoint>& points, double wi
 
 }  // namespace
 
+Extent extent_of(const std::vector<Grain>& grains) {
+  constexpr double far = std::numeric_limits<double>::max();
+  Extent extent{{far, -far, far, -far}, 0.0};
+  for (const auto& [centre, radius] : grains) {
+    extent.box.x_lo = std::min(extent.box.x_lo, centre.x() - radius);
+    extent.box.x_hi = std::max(extent.box.x_hi, centre.x() + radius);
+    extent.box.y_lo = std::min(extent.box.y_lo, centre.y() - radius);
+    extent.box.y_hi = std::max(extent.box.y_hi, centre.y() + radius);
+    extent.diameter += 2.0 * radius / static_cast<double>(grains.size());
+  }
+  return extent;
+}
+
 std::vector<SurfacePoint> seen_from_above(const std::vector<Grain>& grains, const Box2& box,
                                           double pitch, double floor) {
   const int nx = std::max(1, static_cast<int>(std::lround((box.x_hi - box.x_lo) / pitch)));

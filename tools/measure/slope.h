@@ -25,6 +25,15 @@ struct Box2 {
   double x_lo, x_hi, y_lo, y_hi;
 };
 
+// Where grains lie, surfaces included, and their mean diameter.
+struct Extent {
+  Box2 box;
+  double diameter;
+};
+Extent extent_of(const std::vector<Grain>& grains);
+
+constexpr double points_per_grain = 4.0;  // across: a fine enough grid
+
 // The points of a grid over the box, about `pitch` apart.
 std::vector<SurfacePoint> seen_from_above(const std::vector<Grain>& grains, const Box2& box,
                                           double pitch, double floor);
