@@ -159,7 +159,7 @@ def main(folder, target):
     figure.suptitle("     ".join(text_of(one) for one in measured["quantities"]),
                     fontsize=10 if len(measured["quantities"]) <= few else 8.5)
     figure.tight_layout()
-    figure.savefig(target, dpi=110)
+    figure.savefig(target, dpi=90)
 
 
 def text_of(one):

@@ -29,7 +29,8 @@ std::string absent_scene(const fs::path& scene) {
   const fs::path plain = (scene / ".").lexically_normal().parent_path();
   std::map<std::string, std::string> found;  // name: how to write it
   for (const fs::path& folder :
-       {plain.parent_path(), fs::path("inputs"), fs::path(GASGRAIN_INPUTS)}) {
+       {plain.parent_path(), fs::path("inputs"), fs::path("inputs/calibration"),
+        fs::path(GASGRAIN_INPUTS), fs::path(GASGRAIN_INPUTS) / "calibration"}) {
     const fs::path here = folder.empty() ? fs::path(".") : folder;
     if (!fs::is_directory(here)) continue;
     for (const auto& entry : fs::directory_iterator(here))

@@ -122,6 +122,10 @@ class Measuring(unittest.TestCase):
         for row in sliding:
             line = 1 - friction * 1.9 / math.tan(math.radians(row["impact_angle_degree"]))
             self.assertAlmostEqual(row["tangential_restitution"], line, delta=0.005)
+        # With nu = 0.25 an elastic sphere slides throughout from tan(angle) = 5.83 mu on, 60.3
+        # degrees (Maw, Barber, Fawcett 1976); the quick preset's impacts are 3.7 degrees apart.
+        first = next(row for row in rows if row["impulse_ratio"] > 0.99 * friction)
+        self.assertAlmostEqual(first["impact_angle_degree"], 60.3, delta=3.7)
         # Of steep impacts friction needs less than that: they leave the line.
         for row in rows:
             if row["impact_angle_degree"] < 50:
@@ -145,6 +149,11 @@ class Measuring(unittest.TestCase):
         self.assertIn("--time:", err)
         self.assertIn("no line 'variable frction index ...'. Did you mean \"friction\"?", err)
         self.assertFalse(self.out.exists(), "a refused run must leave no trace")
+
+    def test_a_bare_name_is_answered_with_the_scene(self):
+        status, _, err = self.run_scene("shear_cel")
+        self.assertEqual(status, 1)
+        self.assertRegex(err, 'Did you mean ".*inputs/calibration/shear_cell"')
 
     def test_a_setting_that_is_no_pair_is_refused(self):
         for word in ("friction", "=0.3"):

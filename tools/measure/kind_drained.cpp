@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "coupling/base/error.h"
+#include "tools/measure/at_rest.h"
 #include "tools/measure/kinds.h"
 #include "tools/measure/slope.h"
 
@@ -22,7 +23,8 @@ struct DrainedKeys {
 
 Measurement measure_drained(const std::filesystem::path& results, const DrainedKeys& keys) {
   const auto file = results / keys.dump;
-  auto grains = read_dump(file).back().grains();
+  const DumpFrame frame = read_dump(file).back();
+  auto grains = frame.grains();
   const auto above = [&](const Grain& grain) { return grain.position.z() > keys.floor; };
   grains.erase(std::partition(grains.begin(), grains.end(), above), grains.end());
   constexpr std::size_t fewest = 50;
@@ -45,6 +47,8 @@ Measurement measure_drained(const std::filesystem::path& results, const DrainedK
   measured.quantities = {
       {"angle_of_repose", flank.angle_degree, "degree", flank.uncertainty_degree}};
   measured.curve = flank.profile;
+  if (const auto note = motion_note(frame, keys.floor); !note.empty())
+    measured.notes.push_back(note);
   return measured;
 }
 

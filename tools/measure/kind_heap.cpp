@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "coupling/base/error.h"
+#include "tools/measure/at_rest.h"
 #include "tools/measure/kinds.h"
 #include "tools/measure/slope.h"
 
@@ -25,7 +26,8 @@ struct HeapKeys {
 
 Measurement measure_heap(const std::filesystem::path& results, const HeapKeys& keys) {
   const auto file = results / keys.dump;
-  auto grains = read_dump(file).back().grains();
+  const DumpFrame frame = read_dump(file).back();
+  auto grains = frame.grains();
   const auto above = [&](const Grain& grain) { return grain.position.z() > keys.floor; };
   grains.erase(std::partition(grains.begin(), grains.end(), above), grains.end());
   constexpr std::size_t fewest = 50;
@@ -76,6 +78,8 @@ Measurement measure_heap(const std::filesystem::path& results, const HeapKeys& k
       {"angle_of_repose", flank.angle_degree, "degree", flank.uncertainty_degree},
       {"heap_height", height, "m", 0.0}};
   measured.curve = flank.profile;
+  if (const auto note = motion_note(frame, keys.floor); !note.empty())
+    measured.notes.push_back(note);
   return measured;
 }
 
