@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <fstream>
@@ -56,7 +57,18 @@ std::string quoted(const std::string& word) {
   _exit(not_found);
 }
 
-// Children of this process, those included that it inherited from a child that died.
+// Children that an object still answers for.
+std::vector<pid_t>& started() {
+  static std::vector<pid_t> pids;
+  return pids;
+}
+
+void forget(pid_t pid) {
+  started().erase(std::remove(started().begin(), started().end(), pid), started().end());
+}
+
+// Children of this process that no other object answers for, those included that it inherited from
+// a child that died.
 std::vector<pid_t> children() {
   std::vector<pid_t> found;
   for (const auto& entry : fs::directory_iterator("/proc")) {
@@ -69,7 +81,10 @@ std::vector<pid_t> children() {
     std::istringstream rest(stat.substr(name_end + 1));
     char state = ' ';
     pid_t parent = 0;
-    if (rest >> state >> parent && parent == getpid()) found.push_back(std::stoi(name));
+    const pid_t pid = std::stoi(name);
+    if (rest >> state >> parent && parent == getpid() &&
+        std::find(started().begin(), started().end(), pid) == started().end())
+      found.push_back(pid);
   }
   return found;
 }
@@ -92,6 +107,7 @@ ChildProcess::ChildProcess(const Command& command, int output) {
     fail("cannot start {}: the system allows no further process.", command.arguments[0]);
   if (pid_ == 0) become(command, output, parent);
   setpgid(pid_, pid_);
+  started().push_back(pid_);
 }
 
 ChildProcess::~ChildProcess() {
@@ -100,8 +116,10 @@ ChildProcess::~ChildProcess() {
 
 std::optional<int> ChildProcess::poll() {
   int state = 0;
-  if (!status_ && waitpid(pid_, &state, WNOHANG) == pid_)
+  if (!status_ && waitpid(pid_, &state, WNOHANG) == pid_) {
     status_ = WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
+    forget(pid_);
+  }
   return status_;
 }
 
@@ -111,6 +129,7 @@ void ChildProcess::signal(int number) const {
 
 void ChildProcess::kill_all() {
   if (!poll()) kill(-pid_, SIGKILL);
+  forget(pid_);
   // Each death may hand us the children of the dead.
   for (auto left = children(); !left.empty(); left = children()) {
     for (const pid_t pid : left) kill(pid, SIGKILL);

@@ -33,7 +33,8 @@ class ChildProcess {
   // The exit status once it has ended: as of a shell, 128 + signal when a signal ended it.
   std::optional<int> poll();
   void signal(int number) const;
-  // Ends the child, its process group, and whatever of its descendants is left.
+  // Ends the child, its process group, and whatever of its descendants is left; other objects'
+  // children run on.
   void kill_all();
 
  private:
