@@ -4,6 +4,7 @@
 
 #include "coupling/base/error.h"
 #include "tools/advise_command.h"
+#include "tools/calibrate/calibrate_command.h"
 #include "tools/run_command.h"
 #include "tools/study/study_command.h"
 
@@ -137,6 +138,58 @@ void add_advise(CLI::App& app, gasgrain::AdviseOptions& options) {
   advise->footer(advise_examples);
 }
 
+constexpr const char* calibrate_examples = R"(Examples:
+  gasgrain calibrate inputs/calibration/angle_of_repose_pile --target angle_of_repose=28
+      --vary friction=0.1:0.8 --quick
+      some ten runs, two at a time; results in results/calibrate/angle_of_repose_pile
+  gasgrain calibrate SCENE --target angle_of_repose=28 --tolerance 0.5 --vary friction=0.1:0.8
+      --seeds 6
+      the mean of six seeds within half a degree
+  gasgrain calibrate SCENE --target A=28 --target B=0.4 --vary friction=0.1:0.8
+      --vary rolling_friction=0:0.3
+      two measured values, two parameters
+
+A scene to be calibrated measures: it has a measure.toml, as those in inputs/calibration.
+The status is 0 when every target is met, 2 when it is not. Ctrl-C ends a calibration; the same
+command goes on from the runs that are done.)";
+
+void add_calibrate(CLI::App& app, gasgrain::CalibrateOptions& options) {
+  CLI::App* calibrate = app.add_subcommand(
+      "calibrate", "Finds the parameters at which a scene gives what is measured");
+  calibrate->add_option("SCENE", options.scene, "Folder with in.liggghts and measure.toml")
+      ->required();
+  const auto add = [&](const char* name, std::vector<std::string>& texts, const char* help,
+                       const char* type) {
+    return calibrate->add_option(name, texts, help)->type_name(type)->allow_extra_args(false);
+  };
+  add("--target", options.targets, "Measured value of a quantity of the scene; repeatable",
+      "NAME=VALUE")
+      ->required();
+  add("--vary", options.varied,
+      "Variable of in.liggghts to be found, and its range; repeatable, no more of them than "
+      "targets",
+      "NAME=LOW:HIGH")
+      ->required();
+  add("--tolerance", options.tolerances,
+      "How near the mean must come, in the target's unit (default: 2 % of the target); repeatable",
+      "[NAME=]VALUE");
+  calibrate
+      ->add_option(
+          "--seeds", options.seeds,
+          "Runs with different seeds at the result (default: 3; 1 without a variable seed)")
+      ->check(CLI::PositiveNumber);
+  calibrate->add_flag("--quick", options.quick, "The scene's quick preset: variable quick is 1");
+  calibrate->add_option("--jobs", options.jobs, "Runs at a time")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  calibrate->add_option("--dem-ranks", options.dem_ranks, "MPI ranks of each run")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  calibrate->add_option("--out", options.out, "Folder (default: results/calibrate/<scene name>)");
+  calibrate->add_flag("--no-plots", options.no_plots, "Leave out calibration.png");
+  calibrate->footer(calibrate_examples);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -151,7 +204,10 @@ int main(int argc, char** argv) {
     add_run(app, run_options);
     add_advise(app, advise_options);
     add_study(app, study_options);
+    gasgrain::CalibrateOptions calibrate_options;
+    add_calibrate(app, calibrate_options);
     CLI11_PARSE(app, argc, argv);
+    if (app.got_subcommand("calibrate")) return gasgrain::calibrate(calibrate_options);
     if (app.got_subcommand("advise")) return gasgrain::advise(advise_options);
     return app.got_subcommand("study") ? gasgrain::study(study_options)
                                        : gasgrain::run(run_options);
