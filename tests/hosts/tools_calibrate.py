@@ -144,6 +144,18 @@ class Calibrate(unittest.TestCase):
         self.assertFalse((self.out / "calibrated.txt").exists())
         self.assertEqual(len(self.rows()), 5)
 
+    def test_results_of_an_earlier_calibration_do_not_stay(self):
+        status, out, err = self.calibrate("--target", "normal_restitution=0.4", "--vary",
+                                          "friction=0.1:0.5", "--seeds", "1")
+        self.assertEqual(status, 0, out + err)
+        self.assertTrue((self.out / "calibration.png").exists())
+        status, out, err = self.calibrate("--target", "normal_restitution=0.9", "--vary",
+                                          "friction=0.1:0.5", "--no-plots")
+        self.assertEqual(status, 2, out + err)
+        for name in ("calibrated.txt", "calibration.png"):
+            self.assertFalse((self.out / name).exists(), name)
+        self.assertFalse(json.loads((self.out / "calibration.json").read_text())["met"])
+
     def test_failed_run_is_told_with_its_values_and_reason(self):
         status, out, err = self.calibrate("--target", "normal_restitution=0.4", "--vary",
                                           "friction=0.1:0.8", FAILS_ABOVE="0.7", PLAYED_S="20")
@@ -171,6 +183,12 @@ class Calibrate(unittest.TestCase):
         status, _, err = self.calibrate("--target", "a=1", "--vary", "friction=0.1:0.8")
         self.assertEqual(status, 1)
         self.assertIn("measure.toml is absent: the scene measures nothing", err)
+        self.out = Path("/proc/calibration")
+        (self.scene / "measure.toml").write_text('[measure]\nkind = "normal_restitution"\n')
+        status, _, err = self.calibrate("--target", "a=1", "--vary", "friction=0.1:0.8")
+        self.assertEqual(status, 1)
+        self.assertIn("/proc/calibration cannot be written", err)
+        self.assertIn("Choose another folder: --out DIR", err)
         self.assertEqual(self.played(), [])
 
     def test_control_c_ends_it_and_the_same_command_goes_on(self):

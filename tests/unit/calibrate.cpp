@@ -345,6 +345,12 @@ TEST_F(Request, with_many_faults_hears_of_all_of_them) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\nis not in\n" << text;
 }
 
+TEST_F(Request, for_a_variable_that_gasgrain_sets_is_refused) {
+  EXPECT_NE(faults(options({"angle=28"}, {"seed=1:8"}))
+                .find("--vary seed=1:8: this variable is set by gasgrain itself. Known: friction."),
+            std::string::npos);
+}
+
 TEST_F(Request, for_repeats_of_a_scene_without_a_seed_is_refused) {
   std::ofstream(scene_ / "in.liggghts") << "variable friction index 0.5\n";
   auto repeats = options({"angle=28"}, {"friction=0.1:0.8"});

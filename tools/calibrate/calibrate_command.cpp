@@ -16,6 +16,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* result_files[] = {"calibrated.txt", "calibration.csv", "calibration.json",
+                                        "calibration.png"};
 constexpr int not_met_status = 2;
 constexpr int stopped_status = 130;  // what shells report after Ctrl-C
 
@@ -47,6 +49,18 @@ std::vector<std::string> faults_of_scene(const CalibrateOptions& options) {
   return scene_faults(run, find_programs());
 }
 
+// Makes the folder; results of an earlier calibration there, of another request it may be, are
+// removed, but for its runs.
+void prepare(const fs::path& folder) {
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  for (const char* name : result_files)
+    if (!failed) fs::remove(folder / name, failed);
+  if (failed)
+    fail("{} cannot be written: {}. Choose another folder: --out DIR", folder.string(),
+         failed.message());
+}
+
 void draw(const fs::path& folder) {
   constexpr std::chrono::seconds limit{120};
   const Captured plot =
@@ -62,6 +76,7 @@ int calibrate(const CalibrateOptions& options) {
   const CalibrationProblem problem = calibration_problem(options, faults_of_scene(options));
   const fs::path folder = calibration_folder(options);
   const std::string command = command_line(options);
+  prepare(folder);
   SceneRuns runs(options, problem, folder / "runs");
   fmt::print("{}\ninto {}\n", command, folder.string());
   std::fflush(stdout);
@@ -89,8 +104,7 @@ int calibrate(const CalibrateOptions& options) {
              result.met ? "" : "gasgrain: error: ", result_text(objective, result));
   if (!options.no_plots) draw(folder);
   fmt::print("Results:\n");
-  for (const char* name :
-       {"calibrated.txt", "calibration.csv", "calibration.json", "calibration.png"})
+  for (const char* name : result_files)
     if (fs::exists(folder / name)) fmt::print("  {}\n", (folder / name).string());
   return result.met ? 0 : not_met_status;
 }

@@ -93,7 +93,6 @@ void write_result(const fs::path& folder, const std::string& command, const fs::
                                                 {"targets", targets}}
                                                    .dump(indent) +
                                                "\n");
-  fs::remove(folder / "calibrated.txt");
   if (!result.met) return;
   write_whole(
       folder / "calibrated.txt",

@@ -75,12 +75,17 @@ void set_tolerances(const CalibrateOptions& options, std::vector<CalibrationTarg
                       target.name));
 }
 
+// Variables that `gasgrain run`, --seeds and --quick set.
+bool is_taken(const std::string& name) {
+  const std::vector<std::string> taken{"out", "time", "restart", "seed", "quick"};
+  return std::find(taken.begin(), taken.end(), name) != taken.end();
+}
+
 // The variables of the script that a calibration may turn.
 std::vector<std::string> free_names(const std::map<std::string, std::string>& dials) {
   std::vector<std::string> names;
   for (const auto& dial : dials)
-    if (dial.first != "out" && dial.first != "seed" && dial.first != "quick")
-      names.push_back(dial.first);
+    if (!is_taken(dial.first)) names.push_back(dial.first);
   return names;
 }
 
@@ -102,7 +107,10 @@ std::vector<CalibrationParameter> parameters(const CalibrateOptions& options,
       faults.push_back(fmt::format("--vary {}: the lower end must be below the upper: {}={}:{}",
                                    text, name, value_text(std::min(*low, *high)),
                                    *low == *high ? "HIGH" : value_text(std::max(*low, *high))));
-    if (std::find(names.begin(), names.end(), name) == names.end())
+    if (is_taken(name))
+      faults.push_back(fmt::format("--vary {}: this variable is set by gasgrain itself.{}", text,
+                                   suggestion("", names)));
+    else if (std::find(names.begin(), names.end(), name) == names.end())
       faults.push_back(
           fmt::format("--vary {}: {} has no line 'variable {} index VALUE' to be set.{}", text,
                       (options.scene / "in.liggghts").string(), name, suggestion(name, names)));
