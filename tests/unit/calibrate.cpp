@@ -136,6 +136,26 @@ TEST(RootSearch, finds_a_root_between_ends_that_do_not_bracket_it) {
   EXPECT_NEAR(hill(result.point.values)[0], 28.0, 0.5);
 }
 
+TEST(RootSearch, holds_where_a_quantity_is_flat_at_both_ends) {
+  const auto step = [](const std::vector<double>& at) -> std::vector<double> {
+    return {20.0 + 14.0 / (1.0 + std::exp(-(at[0] - 0.3) * 30.0))};
+  };
+  constexpr unsigned calibrations = 500;
+  constexpr double scatter = 0.4;
+  double met = 0.0;
+  double squares = 0.0;
+  for (unsigned start = 1; start <= calibrations; ++start) {
+    Objective objective(heap_problem(27.0, usual_tolerance * 27.0),
+                        scattering(step, scatter, start));
+    const auto result = refine(objective, search(objective));
+    met += result.met ? 1.0 / calibrations : 0.0;
+    squares += std::pow(step(result.point.values)[0] - 27.0, 2.0) / calibrations;
+  }
+  // The tolerance is 0.54, the mean of three scatters by 0.23 degrees.
+  EXPECT_GE(met, 0.93);
+  EXPECT_LE(std::sqrt(squares), 0.5);
+}
+
 TEST(RootSearch, keeps_to_the_range) {
   // The scatter draws the correction beyond the end, where the root nearly is.
   for (unsigned start = 1; start <= 50; ++start) {
@@ -185,6 +205,21 @@ TEST(MinimaxSearch, meets_two_targets_through_scatter) {
     std::printf("scatter %.1f: %.1f points, met %.3f\n", scatter, points, met);
     EXPECT_GE(met, least) << scatter;
     EXPECT_LE(points, 9.5) << scatter;
+  }
+}
+
+TEST(MinimaxSearch, ends_where_scatter_sends_it_round_known_points) {
+  const auto saturating = [](const std::vector<double>& at) -> std::vector<double> {
+    return {35.0 - 19.0 * std::exp(-(at[0] - 0.1) / 0.12)};
+  };
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> known(0.2, 0.7);
+  for (unsigned start = 1; start <= 500; ++start) {
+    const double target = saturating({known(generator)})[0];
+    Objective objective(heap_problem(target, usual_tolerance * target),
+                        scattering(saturating, 0.7, start));
+    static_cast<void>(search_minimax(objective));
+    EXPECT_LE(objective.points().size(), 6U);
   }
 }
 

@@ -10,8 +10,9 @@ namespace gasgrain {
 
 // Model: quantity_i = level_i + sum_j slope_ij (parameter_j - centre_j). Weights are tricube in the
 // distance to the centre, in ranges of the parameters (Cleveland, J. Am. Stat. Assoc. 74 (1979)
-// 829-836), and reach half as far again as the second point more than the plane needs, and no less
-// than 0.15 of the range: points that lie closer differ by scatter rather than by the parameter.
+// 829-836), and reach half as far again as the first point beyond those that the plane needs, and
+// no less than 0.15 of the range: points that lie closer differ by scatter rather than by the
+// parameter.
 struct LocalFit {
   Eigen::VectorXd level;  // of each target, at the centre
   Eigen::MatrixXd slope;  // targets x parameters

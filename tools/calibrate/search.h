@@ -16,12 +16,13 @@ struct SearchResult {
 
 // One parameter, one target: root of quantity(parameter) - target by TOMS algorithm 748 of
 // Boost.Math (Alefeld, Potra & Shi, ACM Trans. Math. Software 21 (1995) 327-344). It keeps the root
-// bracketed, so that the scatter of a run can mislead it by as much as the scatter is worth and no
-// more, and takes secant and inverse cubic steps: two runs for the ends and one to three between
-// them for a smooth quantity. NLopt has no root finder; as a minimum of the squared difference the
-// same root has no bracket and needs about three times the runs.
-// Ends that do not bracket the target: three points between them are tried before it is called out
-// of reach, for a quantity need not be monotone.
+// bracketed and takes secant and inverse cubic steps: two runs for the ends, which also tell
+// whether the target is within reach, and one to three points between them for a smooth quantity.
+// NLopt has no root finder. Its COBYLA, below, is as quick on a smooth quantity; on one that is
+// flat at both ends, with scatter, it strays where the bracket holds: an S of 14 degrees with runs
+// that scatter by 0.4 was met in 97 % of 500 calibrations against 89 %, with 0.3 against 1.7
+// degrees of error. Ends that do not bracket the target: three points between them are tried before
+// it is called out of reach, for a quantity need not be monotone.
 SearchResult search_root(Objective& objective);
 
 // Several parameters: the greatest distance to a target, in tolerances, is made least by COBYLA

@@ -10,6 +10,9 @@ constexpr double first_step = 0.25;     // of the range: the edge of the first s
 constexpr double finest = 0.002;        // of the range: that of the last
 constexpr std::size_t most_points = 6;  // for each parameter; what is left is for refine()
 
+// Scatter can send COBYLA round points that are known, which cost nothing, without an end.
+constexpr int most_looks = 50;  // for each parameter
+
 // What NLopt calls. The parameters are shares of their ranges, t is a share of what it begins with.
 class Minimax {
  public:
@@ -51,7 +54,8 @@ class Minimax {
       values.push_back(problem.parameters[n].low + shares[n] * problem.parameters[n].span());
     const auto point = objective_.measure(values, problem.search_repeats);
     if (best_.values.empty() || point.distance(problem) < best_.distance(problem)) best_ = point;
-    if (best_.distance(problem) <= 1.0 ||
+    const auto parameters = static_cast<int>(problem.parameters.size());
+    if (++looks_ >= most_looks * parameters || best_.distance(problem) <= 1.0 ||
         objective_.points().size() >= most_points * problem.parameters.size())
       throw nlopt::forced_stop();
     return point;
@@ -82,6 +86,7 @@ class Minimax {
   Objective& objective_;
   CalibrationPoint best_;
   double start_distance_ = 1.0;
+  int looks_ = 0;
   std::exception_ptr fault_;
 };
 
