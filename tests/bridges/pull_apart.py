@@ -50,6 +50,14 @@ class ForceAgainstGap(unittest.TestCase):
             worst = max(worst, difference)
         return worst
 
+    def test_pairs_of_two_ranks_do_as_those_of_one(self):
+        words = LIQUID + "law mikami viscosity 0.001 minimum_separation 1e-6"
+        runs = {ranks: Scene().run(words, every=20, ranks=ranks) for ranks in (1, 2, 4)}
+        for ranks in (2, 4):
+            for column, values in runs[1].frames.items():
+                np.testing.assert_array_equal(runs[ranks].frames[column], values, f"{column} on {ranks} ranks")
+            self.assertNotIn("broke below", runs[ranks].log)
+
     def test_both_grains_feel_the_same_force(self):
         scene = Scene()
         wet = scene.run(LIQUID, steps=400)

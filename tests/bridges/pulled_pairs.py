@@ -69,8 +69,9 @@ class Scene:
         radius = 2 * radius_i * radius_j / (radius_i + radius_j)
         volume = v * radius**3
         first = len(self.grains)
-        self.grains.append(Grain((0.02, y, 0.02), radius_i, 0.25 * volume, type_i))
-        self.grains.append(Grain((0.02 + radius_i + radius_j + self.start, y, 0.02), radius_j, 0.75 * volume, type_j))
+        # On either side of x = 0, where two ranks meet
+        self.grains.append(Grain((-radius_i, y, 0.02), radius_i, 0.25 * volume, type_i))
+        self.grains.append(Grain((radius_j + self.start, y, 0.02), radius_j, 0.75 * volume, type_j))
         angle = (ANGLES[type_i] + ANGLES[type_j]) / 2
         self.pulled.append(Pulled(name, first, first + 1, Bridge(radius, angle, WATER, volume)))
 
@@ -94,7 +95,7 @@ run 4
 fix off movers move linear {speed} 0 0
 fix up risers move linear 0 0 {speed}
 fix down all move/mesh mesh plate linear 0 0 {-speed}
-run {steps}""", size=0.07, **more)
+run {steps}""", size=0.07, skin=1.2e-3, **more)
 
     def gap(self, wet, one):
         if isinstance(one.stays, int):

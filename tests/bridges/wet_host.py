@@ -63,10 +63,10 @@ MODEL = "model hertz tangential history"
 class Wet:
     """What a run wrote: `frames`, {column: array over frames and grains}, `steps` of them, `log` printed.
 
-    liquid: the words after 'fix wet all liquid'; empty: no liquid. before: lines before the pair style
-    (properties of other models). body: lines between the properties and the runs (walls, motion). run: the
-    lines that run. extra: columns to dump beside COLUMNS. after: lines after the
-    pair style. A status that is not `expect` is a failure."""
+    liquid: the words after 'fix wet all liquid'; empty: no liquid. before, after: lines before the pair style
+    (properties of other models) and after it. body: lines between those and the runs (walls, motion). run: the lines
+    that run. extra: columns to dump beside COLUMNS. ranks: side by side along x. A status other than `expect` is a
+    failure."""
 
     def __init__(self, grains, liquid="", cohesion=None, before="", body="", run="run 1000", step=1e-6, every=1,
                  extra=(), types=None, size=0.05, ranks=1, expect=0, files=(), restitution=0.9, friction=0.0,
@@ -78,7 +78,7 @@ class Wet:
         cohesion = cohesion if cohesion is not None else "bridge" if liquid else ""
         self.cohesion = f"cohesion {cohesion}" if cohesion else ""
         lines = ["atom_style granular", "atom_modify map array", "boundary f f f", "newton off",
-                 "communicate single vel yes", "units si", "read_data grains.data", f"neighbor {skin} bin",
+                 "communicate single vel yes", "units si", f"processors {ranks} 1 1", "read_data grains.data", f"neighbor {skin} bin",
                  "neigh_modify delay 0", properties(types, restitution, friction, modulus), before,
                  f"pair_style gran {MODEL} {self.cohesion}", "pair_coeff * *", f"timestep {step:.17g}"]
         lines.append("thermo 100000")
