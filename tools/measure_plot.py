@@ -128,6 +128,18 @@ def shear(axes, curve, folder, quantities):
     side_view(axes[1], last_grains(folder / "particles/grains.dump"), "the end")
 
 
+def pull(axes, curve, _, quantities):
+    gap = [1e6 * one for one in curve["gap_m"]]
+    for axis, scale in zip(axes, ("linear", "log")):
+        shown = [force if force > 0 or scale == "linear" else math.nan
+                 for force in curve["force_N"]]
+        axis.plot(gap, shown, lw=1.5, color=BLUE, label="attraction")
+        axis.axvline(1e6 * quantities["rupture_distance"]["value"], color=ORANGE, label="rupture")
+        axis.set_yscale(scale)
+        axis.set_xlabel("gap [um]")
+        axis.set_ylabel("force [N]")
+
+
 # A kind of measurement: the function that draws it, on two axes.
 KINDS = {
     "angle_of_repose": slope("particles/heap.dump", "the heap from the side",
@@ -139,6 +151,7 @@ KINDS = {
     "oblique_impact": impact,
     "constrained_modulus": compression,
     "internal_friction": shear,
+    "force_distance": pull,
 }
 
 

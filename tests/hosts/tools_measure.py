@@ -16,7 +16,7 @@ from coupled_launch import BIN, SOURCE
 
 SCENES = SOURCE / "inputs/calibration"
 KINDS = {"angle_of_repose_drained", "angle_of_repose_pile", "bouncing_sphere", "oblique_impact",
-         "rotating_drum", "shear_cell", "uniaxial_compression"}
+         "rotating_drum", "shear_cell", "two_sphere_pull", "uniaxial_compression"}
 
 # One grain that falls for ever: what stops and fails is tried on it.
 FALL = """\
@@ -130,6 +130,21 @@ class Measuring(unittest.TestCase):
         for row in rows:
             if row["impact_angle_degree"] < 50:
                 self.assertLess(row["impulse_ratio"], 0.95 * friction)
+
+    def test_a_bridge_pulled_apart_has_the_force_and_work_of_its_law(self):
+        """The energy form of Rabinovich et al. 2005, which has an integral: (1 + theta / 2) V^(1/3) is its end."""
+        radius, volume, tension, theta = 1e-3, 1e-12, 0.05, 0.5
+        measured = self.measured("two_sphere_pull", "--no-plots", "--set", "law=rabinovich_energy", "--set",
+                                 f"surface_tension={tension}", "--set", f"contact_angle={theta}")
+        contact = 2 * math.pi * radius * tension * math.cos(theta)
+        end = (1 + theta / 2) * volume**(1 / 3)
+        q = 2 * volume / (math.pi * radius)
+        # s / (s + 2 d) with 2 d = (s^2 + q)^(1/2) - s: F = contact (1 - s / (s^2 + q)^(1/2))
+        work = contact * (end - math.sqrt(end**2 + q) + math.sqrt(q))
+        # The first reading is of a gap of 4e-8 m, the others are 5e-8 m apart.
+        self.assertAlmostEqual(measured["greatest_force"][0], contact, delta=2e-3 * contact)
+        self.assertAlmostEqual(measured["rupture_distance"][0], end, delta=1e-7)
+        self.assertAlmostEqual(measured["pull_energy"][0], work, delta=2e-3 * work)
 
     def test_more_friction_shears_harder(self):
         # Drawn twice as fast as usual: half the time, and still slow (inertial number 0.014).

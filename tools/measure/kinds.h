@@ -28,6 +28,7 @@ Measure read_drained(InputTable& table);
 Measure read_drum(InputTable& table);
 Measure read_heap(InputTable& table);
 Measure read_impact(InputTable& table);
+Measure read_pull(InputTable& table);
 Measure read_shear(InputTable& table);
 Measure read_uniaxial(InputTable& table);
 
