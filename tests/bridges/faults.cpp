@@ -47,7 +47,7 @@ TEST(Faults, negative_or_unreal_volume_tension_and_radius_are_refused) {
 }
 
 TEST(Faults, all_of_them_are_told_at_once) {
-  EXPECT_EQ(bridge_faults({-1.0, 45.0, -1.0, -1.0, false}).size(), 4U);
+  EXPECT_EQ(bridge_faults({-1.0, 45.0, -1.0, -1.0, false, 0.0}).size(), 4U);
   EXPECT_EQ(viscous_faults(-1.0, 0.0).size(), 2U);
 }
 
