@@ -144,7 +144,7 @@ class CohesionModel<COHESION_BRIDGE> : public gasgrain::OwnCohesionModel {
     const double place = place_of(data);
     auto& slot = wall_->slot(i);
     const bool here = data.computeflag != 0 && data.shearupdate != 0
-                          ? wall_->see(i, place, gap)
+                          ? wall_->see(i, place, gap, goes_on_from(slot.place, place, data))
                           : slot.bridge.stands() && slot.place == place;
     if (!here || gap > slot.bridge.rupture) return;
     const auto& settings = liquid_->settings();
@@ -171,8 +171,15 @@ class CohesionModel<COHESION_BRIDGE> : public gasgrain::OwnCohesionModel {
     if (!wall_fix_->is_mesh_wall()) return 0.0;
     int mesh = 0;
     while (mesh < wall_fix_->n_meshes() && wall_fix_->mesh_list()[mesh] != data.fix_mesh) ++mesh;
-    constexpr double meshes = 1024.0;
     return meshes * (1.0 + data.mesh->id(data.j)) + mesh;
+  }
+  // Whether two places are neighbouring triangles of one plane.
+  [[nodiscard]] static bool goes_on_from(double from, double place, const Close& data) {
+    if (from == place || from < meshes || data.mesh == nullptr) return from == place;
+    const auto triangle = [](double at) { return static_cast<int>(std::floor(at / meshes)) - 1; };
+    return std::fmod(from, meshes) == std::fmod(place, meshes) &&
+           data.mesh->map(triangle(from), 0) >= 0 &&
+           data.mesh->areCoplanarNodeNeighs(triangle(from), triangle(place));
   }
 
   static void add(const Vec3& what, double* to) {
@@ -183,6 +190,7 @@ class CohesionModel<COHESION_BRIDGE> : public gasgrain::OwnCohesionModel {
   // Of the sum of radii: more than distances across a periodic face differ by, and far less than
   // what matters.
   static constexpr double round_off = 1e-9;
+  static constexpr double meshes = 1024.0;  // of one wall, at most
   int history_offset_ = -1;
   double reach_ = 0.0;
   LAMMPS_NS::FixLiquid* liquid_ = nullptr;

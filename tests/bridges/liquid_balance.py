@@ -3,7 +3,7 @@
 
 import unittest
 
-from wet_bed import DUMP, LIQUID, Bed, random_grains
+from wet_bed import DUMP, LIQUID, Bed, floor, random_grains
 
 CLOSED = 1e-12  # of all liquid
 
@@ -141,21 +141,6 @@ class Balance(unittest.TestCase):
             rows = bed.ledger()
         self.assertGreater(rows[-1]["came_in"], 0.0)
         self.assertLess(worst(rows), CLOSED)
-
-
-def floor(size, cells):
-    """A floor of triangles at z = 0, as STL."""
-    pitch = size / cells
-    text = "solid floor\n"
-    for i in range(cells):
-        for j in range(cells):
-            a, b = (i * pitch, j * pitch), ((i + 1) * pitch, j * pitch)
-            c, d = ((i + 1) * pitch, (j + 1) * pitch), (i * pitch, (j + 1) * pitch)
-            for corners in ((a, b, c), (a, c, d)):
-                text += " facet normal 0 0 1\n  outer loop\n"
-                text += "".join(f"   vertex {x:.9g} {y:.9g} 0.0\n" for x, y in corners)
-                text += "  endloop\n endfacet\n"
-    return text + "endsolid floor\n"
 
 
 if __name__ == "__main__":

@@ -4,7 +4,7 @@
 import math
 import unittest
 
-from wet_bed import DUMP, LIQUID, Bed, random_grains
+from wet_bed import DUMP, LIQUID, Bed, floor, random_grains
 
 WATER = "surface_tension 0.0728 contact_angle 0.35"
 
@@ -79,6 +79,21 @@ class Limits(unittest.TestCase):
         self.assertLess(energies[-1], energies[0])
         self.assertTrue(all(math.isfinite(e) for e in energies))
         self.assertIn("were held back", text)
+
+    def test_a_bridge_goes_from_triangle_to_triangle_of_a_wall_with_the_same_force_all_the_way(self):
+        with Bed(grains="create_atoms 1 single 0.002 0.0031 0.00101 units box\nset group all diameter 0.002 density 2500",
+                 boundary="f f f", size=0.012, skin=0.0008, step=1e-6,
+                 walls="fix floor all mesh/surface/planar file floor.stl type 1\n"
+                       "fix low all wall/gran model hertz tangential history cohesion bridge mesh n_meshes 1 meshes floor",
+                 liquid=liquid(f"film 1e-11 {WATER} gives 1 formation 2e-5")) as bed:
+            (bed.folder / "floor.stl").write_text(floor(0.012, 6))
+            bed.run(runs="run 10\nunfix nve\nfix mv all move linear 1.5 0 0.0\n"
+                         "dump d all custom 1 path.dump id fz\nrun 5000")
+            forces = [float(line.split()[1]) for line in (bed.folder / "path.dump").read_text().splitlines()
+                      if len(line.split()) == 2 and line.startswith("1 ")]
+        self.assertEqual(len(forces), 5001)
+        self.assertLess(max(forces), 0.0)
+        self.assertLess(max(forces) - min(forces), 1e-9 * abs(min(forces)))
 
     def test_liquid_beyond_the_pendular_range_is_warned_of(self):
         for content, warned in ((0.02, False), (0.6, True)):

@@ -63,6 +63,21 @@ def random_grains(count, size, seed, margin=0.0, speed=0.2):
     return "\n".join(lines)
 
 
+def floor(size, cells):
+    """A floor of triangles at z = 0, as STL."""
+    pitch = size / cells
+    text = "solid floor\n"
+    for i in range(cells):
+        for j in range(cells):
+            a, b = (i * pitch, j * pitch), ((i + 1) * pitch, j * pitch)
+            c, d = ((i + 1) * pitch, (j + 1) * pitch), (i * pitch, (j + 1) * pitch)
+            for corners in ((a, b, c), (a, c, d)):
+                text += " facet normal 0 0 1\n  outer loop\n"
+                text += "".join(f"   vertex {x:.9g} {y:.9g} 0.0\n" for x, y in corners)
+                text += "  endloop\n endfacet\n"
+    return text + "endsolid floor\n"
+
+
 class Bed:
     """A folder with a script; its results are there until the block ends."""
 

@@ -56,17 +56,21 @@ class WallBridges {
   }
   Slot& slot(int k) { return slots_[at(k)]; }
 
-  // The wall is at this gap from grain k, at this place. Whether the bridge is here.
-  bool see(int k, double place, double gap) {
+  // The wall is at this gap from grain k, at this place. Whether the bridge is here, once in a
+  // step. from_bridge: this place and that of the bridge are parts of one even surface, of which
+  // the host shows one at a time; the bridge then comes along.
+  bool see(int k, double place, double gap, bool from_bridge) {
     Seen& seen = seen_[at(k)];
     if (gap < seen.gap) {
       seen.gap = gap;
       seen.place = place;
     }
-    const Slot& slot = slots_[at(k)];
-    const bool here = slot.bridge.stands() && slot.place == place;
-    if (here) seen.gap_of_bridge = gap;
-    return here;
+    Slot& slot = slots_[at(k)];
+    if (!slot.bridge.stands() || seen.gap_of_bridge != nowhere) return false;
+    if (slot.place != place && !from_bridge) return false;
+    slot.place = place;
+    seen.gap_of_bridge = gap;
+    return true;
   }
 
   // One step of grain k, which this rank owns.
