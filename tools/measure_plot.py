@@ -140,6 +140,16 @@ def pull(axes, curve, _, quantities):
         axis.set_ylabel("force [N]")
 
 
+def fragments(axes, curve, folder, _):
+    axes[0].step(curve["fragment_size"], curve["share_of_grains_up_to_it"], where="post", lw=1.5,
+                 color=BLUE, label="grains in fragments of up to this size")
+    axes[0].set_xscale("log")
+    axes[0].set_ylim(0, 1.02)
+    axes[0].set_xlabel("size of a fragment [grains]")
+    axes[0].set_ylabel("share of all grains")
+    side_view(axes[1], last_grains(folder / "particles/grains.dump"), "after the impact")
+
+
 # A kind of measurement: the function that draws it, on two axes.
 KINDS = {
     "angle_of_repose": slope("particles/heap.dump", "the heap from the side",
@@ -152,6 +162,7 @@ KINDS = {
     "constrained_modulus": compression,
     "internal_friction": shear,
     "force_distance": pull,
+    "fragments": fragments,
 }
 
 

@@ -15,7 +15,7 @@ from pathlib import Path
 from coupled_launch import BIN, SOURCE
 
 SCENES = SOURCE / "inputs/calibration"
-KINDS = {"angle_of_repose_drained", "angle_of_repose_pile", "bouncing_sphere", "oblique_impact",
+KINDS = {"agglomerate_impact", "angle_of_repose_drained", "angle_of_repose_pile", "bouncing_sphere", "oblique_impact",
          "rotating_drum", "shear_cell", "two_sphere_pull", "uniaxial_compression"}
 
 # One grain that falls for ever: what stops and fails is tried on it.
@@ -145,6 +145,18 @@ class Measuring(unittest.TestCase):
         self.assertAlmostEqual(measured["greatest_force"][0], contact, delta=2e-3 * contact)
         self.assertAlmostEqual(measured["rupture_distance"][0], end, delta=1e-7)
         self.assertAlmostEqual(measured["pull_energy"][0], work, delta=2e-3 * work)
+
+    def test_a_harder_impact_breaks_more_of_an_agglomerate(self):
+        damage = [self.measured("agglomerate_impact", "--no-plots", "--set", "quick=1", "--set", f"speed={speed}")["damage_ratio"][0]
+                  for speed in (0.2, 1.0)]
+        self.assertLess(damage[0], 0.4)
+        self.assertGreater(damage[1], 0.7)
+
+    def test_a_wet_grain_bounces_less(self):
+        wet = self.measured("bouncing_sphere", "--no-plots", "--set", "quick=1", "--set", "film=1e-10", "--set",
+                            "contact=hertz tangential history cohesion bridge")
+        self.assertLess(wet["normal_restitution"][0], 0.85)
+        self.assertGreater(wet["normal_restitution"][0], 0.3)
 
     def test_more_friction_shears_harder(self):
         # Drawn twice as fast as usual: half the time, and still slow (inertial number 0.014).

@@ -15,14 +15,17 @@ std::string line_after(std::istream& stream, const std::string& heading, const s
   std::string line;
   std::getline(stream, line);
   if (line.rfind(heading, 0) != 0)
-    fail("{}: \"{}\" is missing: this is no whole dump of the style custom.", file, heading);
+    fail(
+        "{}: \"{}\" is missing: this is no whole dump of the style custom or "
+        "local.",
+        file, heading);
   std::getline(stream, line);
   return line;
 }
 
 DumpFrame read_frame(std::istream& stream, const std::string& file) {
   const long step = std::atol(line_after(stream, "ITEM: TIMESTEP", file).c_str());
-  const long count = std::atol(line_after(stream, "ITEM: NUMBER OF ATOMS", file).c_str());
+  const long count = std::atol(line_after(stream, "ITEM: NUMBER OF ", file).c_str());
   line_after(stream, "ITEM: BOX BOUNDS", file);
   std::string line;
   std::getline(stream, line);  // y
@@ -31,7 +34,7 @@ DumpFrame read_frame(std::istream& stream, const std::string& file) {
   std::istringstream heading(line);
   std::string word;
   std::vector<std::string> columns;
-  heading >> word >> word;  // ITEM: ATOMS
+  heading >> word >> word;  // ITEM: ATOMS, or ENTRIES of a dump local
   while (heading >> word) columns.push_back(word);
   const std::size_t width = columns.size();
   DumpFrame frame(file, step, std::move(columns));
@@ -41,7 +44,7 @@ DumpFrame read_frame(std::istream& stream, const std::string& file) {
     std::vector<double> row(width);
     for (double& value : row) text >> value;
     if (!text || width == 0)
-      fail("{}: grain {} of {} of step {} is cut short or no number.", file, n + 1, count, step);
+      fail("{}: row {} of {} of step {} is cut short or no number.", file, n + 1, count, step);
     frame.add(std::move(row));
   }
   return frame;

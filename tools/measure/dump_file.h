@@ -1,4 +1,5 @@
-// Text dumps of LIGGGHTS (`dump ID group custom N FILE id x y z ...`), frame by frame.
+// Text dumps of LIGGGHTS (`dump ID group custom N FILE id x y z ...`, or `local` with its entries
+// for grains), frame by frame.
 #pragma once
 
 #include <filesystem>

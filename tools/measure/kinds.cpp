@@ -11,7 +11,8 @@ const std::vector<MeasureKind>& all_measure_kinds() {
       {"oblique_impact", "restitution, rebound angle and spin over the angle", read_impact},
       {"constrained_modulus", "stress over strain of compressed grains", read_uniaxial},
       {"internal_friction", "shear over normal stress of sheared grains", read_shear},
-      {"force_distance", "force over gap of two bodies pulled apart", read_pull}};
+      {"force_distance", "force over gap of two bodies pulled apart", read_pull},
+      {"fragments", "what an impact leaves of an agglomerate", read_fragments}};
   return kinds;
 }
 

@@ -26,6 +26,7 @@ const std::vector<MeasureKind>& all_measure_kinds();
 Measure read_bounce(InputTable& table);
 Measure read_drained(InputTable& table);
 Measure read_drum(InputTable& table);
+Measure read_fragments(InputTable& table);
 Measure read_heap(InputTable& table);
 Measure read_impact(InputTable& table);
 Measure read_pull(InputTable& table);
