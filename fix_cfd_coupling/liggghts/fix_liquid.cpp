@@ -185,15 +185,23 @@ WallBridges& FixLiquid::join_wall(FixWallGran& wall) {
 // primitive wall within the skin as it was when the lists were made, half of it for certain.
 void FixLiquid::show_far_enough(FixWallGran& wall, const WallBridges& bridges) {
   double longest[2] = {0.0, 0.0};  // [m], over the radius
+  const double share = settings_.given_share.value_or(gasgrain::liquid::shadow_share_of_wall);
+  const auto reach_of = [&](double radius, int type, double volume) {
+    return gasgrain::liquid::rupture_distance(settings_,
+                                              bridges.bridge_of(settings_, radius, type, volume));
+  };
+  // Grains that are still to come: a share of their volume tells, whatever their radius.
+  if (settings_.content.value_or(0.0) > 0.0)
+    for (int type = 0; type < atom->ntypes; ++type)
+      longest[1] = std::max(
+          longest[1], reach_margin * reach_of(1.0, type, settings_.film_at_first(1.0) * share));
   for (int k = 0; k < atom->nlocal; ++k) {
     const double radius = atom->radius[k];
     double film = film_->vector_atom[k];
     if (film == unmet) film = settings_.film_at_first(radius);
-    const double share = settings_.given_share.value_or(gasgrain::liquid::shadow_share_of_wall);
     const double volume = film * share + bridges.film().given(radius);
     if (!(volume > 0.0)) continue;
-    const double gap = gasgrain::liquid::rupture_distance(
-        settings_, bridges.bridge_of(settings_, radius, atom->type[k] - 1, volume));
+    const double gap = reach_of(radius, atom->type[k] - 1, volume);
     longest[0] = std::max(longest[0], gap);
     longest[1] = std::max(longest[1], reach_margin * gap / radius);
   }
