@@ -37,6 +37,10 @@ struct DivisionShiMcCarthy {
     const bool takes_i = keeps_all(b.i) || keeps_none(b.j);
     const bool takes_j = keeps_all(b.j) || keeps_none(b.i);
     if (takes_i || takes_j) return divide_by_share(b.volume, takes_i == takes_j ? 0.5 : takes_i);
+    // Of equal partners without the search for k, which takes as long as thousands of bridge
+    // forces.
+    if (b.i.radius == b.j.radius && b.i.contact_angle == b.j.contact_angle)
+      return divide_by_share(b.volume, 0.5);
     const double at = log_curvature(b);
     const double v_i = held(b.i, at);
     const double v_j = held(b.j, at);
