@@ -107,8 +107,8 @@ class VtkFile:
         return np.array(words, dtype=float)
 
 
-def read_particles(file):
-    """(centres [m] of shape (n, 3), radii [m], speeds [m/s]) of a particle file."""
+def read_fields(file):
+    """(centres [m] of shape (n, 3), {name: values of shape (n, components)}) of a particle file."""
     vtk = VtkFile(file)
     centres = np.zeros((0, 3))
     fields = {}
@@ -124,6 +124,12 @@ def read_particles(file):
             fields[words[0]] = vtk.values(components * tuples, words[3]).reshape(tuples, components)
     if "v" not in fields and all(name in fields for name in ("vx", "vy", "vz")):
         fields["v"] = np.hstack([fields[name] for name in ("vx", "vy", "vz")])
+    return centres, fields
+
+
+def read_particles(file):
+    """(centres [m] of shape (n, 3), radii [m], speeds [m/s]) of a particle file."""
+    centres, fields = read_fields(file)
     if len(centres) and not ("radius" in fields and "v" in fields):
         raise ReportError(f"{file} lacks radius or velocity: the dump of in.liggghts must list "
                           "id type x y z vx vy vz radius")
