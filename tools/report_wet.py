@@ -63,7 +63,7 @@ class WetRun:
         return self.history["time_s"], p + (p - q) * low / (high - low)
 
     def weight(self, density):
-        """Of the grains, less their buoyancy is 1/2000 more, over the floor [Pa]."""
+        """Of the grains, over the floor [Pa]; the gas carries 1/2000 of it by buoyancy."""
         (x0, x1), (y0, y1), _ = self.box
         return density * self.solid * GRAVITY / ((x1 - x0) * (y1 - y0))
 
@@ -92,7 +92,6 @@ class WetRun:
             "formed": (rows[-1]["formed"] - rows[0]["formed"]) / span / self.count,
             "saturation": rows[-1]["saturation"],
             "residual": max(abs(row["residual"]) for row in self.ledger),
-            "cut_short": (rows[-1]["cut_short"] + rows[-1]["lost_sight"]) / max(1.0, rows[-1]["broken"]),
         }
 
 
