@@ -36,7 +36,9 @@ class CohesionModel<COHESION_BRIDGE> : public gasgrain::OwnCohesionModel {
     if (model->is_wall()) return;
     history_offset_ = history->add_history_value("bridge_volume", "0");
     history->add_history_value("bridge_lean", "1");
-    history->add_history_value("bridge_rupture", "0");
+    for (const char* of_bridge :
+         {"bridge_rupture", "bridge_pull", "bridge_damping_normal", "bridge_damping_tangential"})
+      history->add_history_value(of_bridge, "0");
     model->add_history_offset("bridge_volume", history_offset_);
   }
 
@@ -100,8 +102,8 @@ class CohesionModel<COHESION_BRIDGE> : public gasgrain::OwnCohesionModel {
       }
     }
     if (!bridge.stands()) return;
-    const auto shape = liquid::bridge_between(settings, pair, bridge.volume);
-    const Vec3 pull = -liquid::capillary_force(settings, shape, gap) * normal;
+    const auto shape = [&] { return liquid::bridge_between(settings, pair, bridge.volume); };
+    const Vec3 pull = -liquid::pull_of(settings, bridge, shape, gap) * normal;
     add(pull, force_i.delta_F);
     add(-pull, force_j.delta_F);
     data.has_force_update = true;
@@ -116,7 +118,7 @@ class CohesionModel<COHESION_BRIDGE> : public gasgrain::OwnCohesionModel {
                                       data.radj * (1.0 + share),
                                       update->dt * (films.published(data.i).bridges_over_mass +
                                                     films.published(data.j).bridges_over_mass)};
-    const auto drag = liquid::viscous_force(settings, shape, motion, liquid_->held_back());
+    const auto drag = liquid::viscous_force(settings, bridge, shape, motion, liquid_->held_back());
     add(drag.on_i, force_i.delta_F);
     add(-drag.on_i, force_j.delta_F);
     add(drag.torque_i, force_i.delta_torque);
@@ -148,9 +150,11 @@ class CohesionModel<COHESION_BRIDGE> : public gasgrain::OwnCohesionModel {
                           : slot.bridge.stands() && slot.place == place;
     if (!here || gap > slot.bridge.rupture) return;
     const auto& settings = liquid_->settings();
-    const auto shape = wall_->bridge_of(settings, data.radi, data.itype - 1, slot.bridge.volume);
+    const auto shape = [&] {
+      return wall_->bridge_of(settings, data.radi, data.itype - 1, slot.bridge.volume);
+    };
     const Vec3 normal = vec(data.delta) * (1.0 / distance);
-    add(-liquid::capillary_force(settings, shape, gap) * normal, force_i.delta_F);
+    add(-liquid::pull_of(settings, slot.bridge, shape, gap) * normal, force_i.delta_F);
     data.has_force_update = true;
     if (!settings.viscous()) return;
     const liquid::BridgeMotion motion{gap,
@@ -161,7 +165,8 @@ class CohesionModel<COHESION_BRIDGE> : public gasgrain::OwnCohesionModel {
                                       data.radi + gap,
                                       0.0,
                                       update->dt * liquid_->films().published(i).bridges_over_mass};
-    const auto drag = liquid::viscous_force(settings, shape, motion, liquid_->held_back());
+    const auto drag =
+        liquid::viscous_force(settings, slot.bridge, shape, motion, liquid_->held_back());
     add(drag.on_i, force_i.delta_F);
     add(drag.torque_i, force_i.delta_torque);
   }

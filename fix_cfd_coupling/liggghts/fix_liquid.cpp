@@ -257,7 +257,10 @@ void FixLiquid::setup_pre_force(int) {
   just_created = film_->just_created = 0;
   part_with_removed_walls();
   meet_new_grains();
-  if (wet_) take_back_from_lost_partners();
+  if (wet_) {
+    take_back_from_lost_partners();
+    renew_contacts();
+  }
   begin_ledger();
   publish_films();
 }
@@ -421,6 +424,22 @@ void FixLiquid::take_back_from_lost_partners() {
       counts_.broken += 1.0;
     });
   }
+}
+
+// The script may have given the liquid other properties than it had when the bridges formed.
+void FixLiquid::renew_contacts() {
+  for_each_bridge([&](int i, int j, StoredBridge& b) {
+    const auto& angle = settings_.angle_between(atom->type[i] - 1, atom->type[j] - 1);
+    know_contact(settings_,
+                 gasgrain::bridge::bridge_of_grains(atom->radius[i], atom->radius[j], angle,
+                                                    settings_.surface_tension, b.volume),
+                 b);
+  });
+  for (auto& wall : walls_)
+    for (int k = 0; k < atom->nlocal; ++k)
+      if (StoredBridge& b = wall->slot(k).bridge; b.stands())
+        know_contact(settings_,
+                     wall->bridge_of(settings_, atom->radius[k], atom->type[k] - 1, b.volume), b);
 }
 
 void FixLiquid::part_with_removed_walls() {

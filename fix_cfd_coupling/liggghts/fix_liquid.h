@@ -91,6 +91,7 @@ class FixLiquid : public Fix {
   void part_with_removed_walls();
   void check_walls() const;
   void take_back_from_lost_partners();
+  void renew_contacts();
   void settle_walls();
   // fix_liquid_ledger.cpp
   void begin_ledger();

@@ -22,7 +22,7 @@ void FixLiquid::for_each_bridge(const F& f) const {
     const int i = list.ilist[n];
     double* row = history->firstdouble[i] + history_offset_;
     for (int m = 0; m < list.numneigh[i]; ++m) {
-      const StoredBridge& b =
+      StoredBridge& b =
           gasgrain::liquid::stored_bridge(row + static_cast<std::ptrdiff_t>(m) * width);
       if (b.stands()) f(i, list.firstneigh[i][m] & NEIGHMASK, b);
     }

@@ -70,11 +70,8 @@ int FixLiquid::pack_exchange(int grain, double* buffer) {
   *at++ = grant.bridges;
   *at++ = number_[static_cast<std::size_t>(grain)];
   for (auto& wall : walls_) {
-    const WallBridges::Slot& slot = wall->slot(grain);
-    *at++ = slot.bridge.volume;
-    *at++ = slot.bridge.lean;
-    *at++ = slot.bridge.rupture;
-    *at++ = slot.place;
+    std::memcpy(at, &wall->slot(grain), sizeof(WallBridges::Slot));
+    at += WallBridges::slot_size;
   }
   return static_cast<int>(at - buffer);
 }
@@ -85,7 +82,7 @@ int FixLiquid::unpack_exchange(int grain, double* buffer) {
   number_[static_cast<std::size_t>(grain)] = at[3];
   at += grant_size;
   for (auto& wall : walls_) {
-    wall->slot(grain) = {{at[0], at[1], at[2]}, at[3]};
+    std::memcpy(&wall->slot(grain), at, sizeof(WallBridges::Slot));
     at += WallBridges::slot_size;
   }
   array_atom[grain][0] = array_atom[grain][1] = 0.0;

@@ -16,6 +16,7 @@ from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parents[2]
 RADIUS = 1.0e-3  # m
+SPEED = 0.005    # m/s: the bed is thrown up by some micrometres, and keeps its contacts
 WATER = "surface_tension 0.0728 contact_angle 0.35"
 VISCOUS = "viscosity 0.001 minimum_separation 1e-6"
 
@@ -99,8 +100,8 @@ def main():
     for number, (cohesion, liquid) in enumerate(variants.values()):
         (work / f"in.{number}").write_text(
             HEAD + f"read_data {packed.name}\n" + models.format(cohesion=cohesion) + liquid
-            + "\nvelocity all set NULL NULL 0.05 units box\nrun 1000\n"
-            + f"velocity all set NULL NULL 0.05 units box\nrun {options.steps}\n")
+            + f"\nvelocity all set NULL NULL {SPEED} units box\nrun 1000\n"
+            + f"velocity all set NULL NULL {SPEED} units box\nrun {options.steps}\n")
     loops = {name: [] for name in variants}
     pairs = {name: [] for name in variants}
     for repeat in range(options.repeats):

@@ -21,6 +21,7 @@
 #include "coupling/base/vec3.h"
 #include "fix_cfd_coupling/dem_physics/bridge/viscous.h"
 #include "fix_cfd_coupling/dem_physics/liquid/liquid_settings.h"
+#include "fix_cfd_coupling/dem_physics/liquid/stored_bridge.h"
 
 namespace gasgrain::liquid {
 
@@ -45,15 +46,37 @@ inline double capillary_force(const LiquidSettings& s, const bridge::LiquidBridg
   return std::visit([&](auto law) -> double { return decltype(law)::force(b, open_gap); }, s.law);
 }
 
-inline BridgeForce viscous_force(const LiquidSettings& s, const bridge::LiquidBridge& b,
-                                 const BridgeMotion& m, double& held_back) {
+// What the bridge remembers of its contact: to be found when it forms and when a run begins.
+inline void know_contact(const LiquidSettings& s, const bridge::LiquidBridge& b,
+                         StoredBridge& stored) {
+  stored.pull = capillary_force(s, b, 0.0);
+  if (!s.viscous()) return;
+  stored.damping_normal = viscous_normal(b, s.viscosity, 0.0, s.minimum_separation);
+  stored.damping_tangential = viscous_tangential(b, s.viscosity, 0.0, s.minimum_separation);
+}
+
+// shape() makes the bridge::LiquidBridge, which is needed of surfaces apart only.
+template <class Shape>
+double pull_of(const LiquidSettings& s, const StoredBridge& stored, const Shape& shape,
+               double gap) {
+  return gap > 0.0 ? capillary_force(s, shape(), gap) : stored.pull;
+}
+
+template <class Shape>
+BridgeForce viscous_force(const LiquidSettings& s, const StoredBridge& stored, const Shape& shape,
+                          const BridgeMotion& m, double& held_back) {
   const Vec3 v = m.velocity - (m.lever_i * m.spin_i + m.lever_j * m.spin_j).cross(m.normal);
   const double v_n = v.dot(m.normal);
   const Vec3 v_t = v - v_n * m.normal;
   constexpr double sphere = 3.5;
   const double most = 1.0 / (sphere * m.step_over_mass);
-  const double c_n = viscous_normal(b, s.viscosity, m.gap, s.minimum_separation);
-  const double c_t = viscous_tangential(b, s.viscosity, m.gap, s.minimum_separation);
+  double c_n = stored.damping_normal;
+  double c_t = stored.damping_tangential;
+  if (m.gap > s.minimum_separation) {
+    const bridge::LiquidBridge b = shape();
+    c_n = viscous_normal(b, s.viscosity, m.gap, s.minimum_separation);
+    c_t = viscous_tangential(b, s.viscosity, m.gap, s.minimum_separation);
+  }
   if (std::max(c_n, c_t) > most) held_back += 1.0;
   const Vec3 tangential = -std::min(c_t, most) * v_t;
   BridgeForce f;

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <variant>
 
+#include "fix_cfd_coupling/dem_physics/liquid/bridge_force.h"
 #include "fix_cfd_coupling/dem_physics/liquid/grain_films.h"
 #include "fix_cfd_coupling/dem_physics/liquid/liquid_settings.h"
 #include "fix_cfd_coupling/dem_physics/liquid/shadow_share.h"
@@ -118,7 +119,8 @@ inline void advance(const LiquidSettings& s, GrainFilms& films, BridgeCounts& co
       b.clear();
       return;
     }
-    const double rupture = rupture_distance(s, bridge_between(s, p, volume));
+    const bridge::LiquidBridge shape = bridge_between(s, p, volume);
+    const double rupture = rupture_distance(s, shape);
     if (gap > rupture) {  // a given formation gap may be longer than this bridge
       b.clear();
       return;
@@ -126,6 +128,7 @@ inline void advance(const LiquidSettings& s, GrainFilms& films, BridgeCounts& co
     b.volume = volume;
     b.lean = (give_i - give_j) / volume;
     b.rupture = rupture;
+    know_contact(s, shape, b);
     counts.formed += weight;
     if (p.owns_i) films.change(p.i, -give_i);
     if (p.owns_j) films.change(p.j, -give_j);

@@ -5,6 +5,10 @@
 //   lean     (g_i - g_j) / (g_i + g_j) of the liquid that i and j gave, -1 to 1; its sign changes
 //            when the host swaps i and j
 //   rupture  gap at which it breaks [m]
+//   pull, damping_normal, damping_tangential
+//            at contact, where most bridges of a bed are: capillary force [N], viscous coefficients
+//            at the minimum separation [N s/m]. They follow from the volume, which a bridge keeps,
+//            and cost a law's logarithms and roots once, not every step.
 //
 // A bridge forms in two steps, so that what grains give at once never passes what they have: it is
 // asked for in one and granted in the next (grain_films.h).
@@ -16,14 +20,15 @@ struct StoredBridge {
   double volume;
   double lean;
   double rupture;
+  double pull, damping_normal, damping_tangential;
 
-  static constexpr int size = 3;
+  static constexpr int size = 6;
   static constexpr double asked = -1.0;
 
   [[nodiscard]] bool absent() const { return volume == 0.0; }
   [[nodiscard]] bool is_asked() const { return volume == asked; }
   [[nodiscard]] bool stands() const { return volume > 0.0; }
-  void clear() { volume = lean = rupture = 0.0; }
+  void clear() { *this = {}; }
 };
 
 // Where the host keeps it.

@@ -42,6 +42,7 @@ class WallBridges {
     double place;  // where on the wall: a number that the host gives it
   };
   static constexpr int slot_size = StoredBridge::size + 1;
+  static_assert(sizeof(Slot) == slot_size * sizeof(double));
 
   explicit WallBridges(std::string id) : id_(std::move(id)) {}
 
@@ -87,6 +88,9 @@ class WallBridges {
         break_up(s, films, k, radius, grain_type);
         return;
       }
+    } else if (seen.gap == nowhere) {
+      b.clear();
+      return;
     } else if (!form(s, films, counts, k, radius, grain_type, seen)) {
       return;
     }
@@ -157,9 +161,11 @@ class WallBridges {
       if (film_.holds()) asked_share_ += film_.share(radius);
       return false;
     }
-    const double rupture = rupture_distance(s, bridge_of(s, radius, grain_type, volume));
+    const bridge::LiquidBridge shape = bridge_of(s, radius, grain_type, volume);
+    const double rupture = rupture_distance(s, shape);
     if (!films.has_place_for(k, wall_number) || seen.gap > rupture) return false;
-    b = {volume, (give - given_by_wall) / volume, rupture};
+    b = {volume, (give - given_by_wall) / volume, rupture, 0.0, 0.0, 0.0};
+    know_contact(s, shape, b);
     slots_[at(k)].place = seen.place;
     ++counts.formed;
     films.change(k, -give);
