@@ -73,7 +73,6 @@ class FixLiquid : public Fix {
 
   [[nodiscard]] bool wet() const { return wet_; }
   [[nodiscard]] bool periodic() const { return periodic_; }
-  [[nodiscard]] double reach() const { return reach_; }
   [[nodiscard]] const gasgrain::liquid::LiquidSettings& settings() const { return settings_; }
   gasgrain::liquid::GrainFilms& films() { return films_; }
   gasgrain::liquid::BridgeCounts& counts() { return counts_; }
@@ -82,17 +81,23 @@ class FixLiquid : public Fix {
   [[nodiscard]] gasgrain::Vec3 between(int i, int k) const;
 
  private:
-  void show_far_enough(FixWallGran& wall, const gasgrain::liquid::WallBridges& bridges);
-  void leave_box(bool from_list);
-  void dissolve_bridges_of_renumbered_grains();
+  // Film of a grain that was inserted and has not met the fix yet; no film is negative.
+  static constexpr double unmet_ = -1.0;
+
+  void check_films() const;
+  void check_walls() const;
+  void settle_walls();
+  // fix_liquid_films.cpp
   void meet_new_grains();
   void publish_films();
-  void check_films() const;
-  void part_with_removed_walls();
-  void check_walls() const;
+  // fix_liquid_reach.cpp
+  void show_far_enough(FixWallGran& wall, const gasgrain::liquid::WallBridges& bridges);
+  // fix_liquid_changes.cpp
+  void leave_box(bool from_list);
+  void dissolve_bridges_of_renumbered_grains();
   void take_back_from_lost_partners();
   void renew_contacts();
-  void settle_walls();
+  void part_with_removed_walls();
   // fix_liquid_ledger.cpp
   void begin_ledger();
   void record();

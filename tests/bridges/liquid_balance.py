@@ -75,6 +75,10 @@ class Balance(unittest.TestCase):
                 self.assertEqual(whole[whole.rindex("ITEM: ATOMS"):], again[again.rindex("ITEM: ATOMS"):])
                 self.assertGreater(rows[-1]["wall_bridges"], 0.0)
                 self.assertLess(worst(bed.ledger()), CLOSED)
+                # and on another number of ranks to round-off
+                bed.run_script("in.again", 3 - ranks)
+                self.assertLess(worst(bed.ledger()), CLOSED)
+                self.assertLess(self.largest_difference(bed.dump("whole.dump"), bed.dump("again.dump")), 1e-8)
 
     def test_grains_that_leave_take_their_liquid_along_and_it_is_counted(self):
         for ranks in (1, 2):

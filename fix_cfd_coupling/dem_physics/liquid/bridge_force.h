@@ -35,9 +35,9 @@ struct BridgeMotion {
 };
 
 struct BridgeForce {
-  Vec3 on_i = Vec3::Zero();      // [N]
-  Vec3 torque_i = Vec3::Zero();  // [N m]
-  Vec3 torque_j = Vec3::Zero();
+  Vec3 on_i;      // [N]
+  Vec3 torque_i;  // [N m]
+  Vec3 torque_j;
 };
 
 // Attraction [N]; at contact in overlap.
@@ -63,13 +63,8 @@ double pull_of(const LiquidSettings& s, const StoredBridge& stored, const Shape&
 }
 
 template <class Shape>
-BridgeForce viscous_force(const LiquidSettings& s, const StoredBridge& stored, const Shape& shape,
-                          const BridgeMotion& m, double& held_back) {
-  const Vec3 v = m.velocity - (m.lever_i * m.spin_i + m.lever_j * m.spin_j).cross(m.normal);
-  const double v_n = v.dot(m.normal);
-  const Vec3 v_t = v - v_n * m.normal;
-  constexpr double sphere = 3.5;
-  const double most = 1.0 / (sphere * m.step_over_mass);
+inline BridgeForce viscous_force(const LiquidSettings& s, const StoredBridge& stored,
+                                 const Shape& shape, const BridgeMotion& m, double& held_back) {
   double c_n = stored.damping_normal;
   double c_t = stored.damping_tangential;
   if (m.gap > s.minimum_separation) {
@@ -77,14 +72,18 @@ BridgeForce viscous_force(const LiquidSettings& s, const StoredBridge& stored, c
     c_n = viscous_normal(b, s.viscosity, m.gap, s.minimum_separation);
     c_t = viscous_tangential(b, s.viscosity, m.gap, s.minimum_separation);
   }
-  if (std::max(c_n, c_t) > most) held_back += 1.0;
-  const Vec3 tangential = -std::min(c_t, most) * v_t;
-  BridgeForce f;
-  f.on_i = tangential - std::min(c_n, most) * v_n * m.normal;
+  constexpr double sphere = 3.5;
+  const double inverse_of_most = sphere * m.step_over_mass;
+  if (std::max(c_n, c_t) * inverse_of_most > 1.0) {
+    held_back += 1.0;
+    c_n = std::min(c_n, 1.0 / inverse_of_most);
+    c_t = std::min(c_t, 1.0 / inverse_of_most);
+  }
+  const Vec3 v = m.velocity - (m.lever_i * m.spin_i + m.lever_j * m.spin_j).cross(m.normal);
+  const double v_n = v.dot(m.normal);
+  const Vec3 tangential = -c_t * (v - v_n * m.normal);
   const Vec3 turning = m.normal.cross(tangential);
-  f.torque_i = -m.lever_i * turning;
-  f.torque_j = -m.lever_j * turning;
-  return f;
+  return {tangential - c_n * v_n * m.normal, -m.lever_i * turning, -m.lever_j * turning};
 }
 
 }  // namespace gasgrain::liquid

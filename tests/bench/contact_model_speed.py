@@ -1,11 +1,11 @@
 #!/usr/bin/python3
-"""Price of liquid bridges: the same bed with no cohesion model, with the model but no liquid, wet.
+"""Price of our contact models: the same bed without, with a model whose parameter is 0, with it at work.
 
 A settled bed in a box that is periodic to the sides, thrown up gently before it is timed. The variants run one
-after the other, again and again, so that a noisy machine treats them alike; what counts is the median of the
-ratios to the dry run of the same round.
+after the other, again and again, so that a noisy machine treats them alike; what counts is the median of
+the ratios to the run without a model of the same round.
 
-    tests/bench/wet_speed.py [--build build] [--grains 5000] [--steps 3000] [--repeats 5] [--laws]
+    tests/bench/contact_model_speed.py [--of wet|laws|dry] [--build build] [--grains 5000] [--steps 3000] [--repeats 5]
 """
 
 import argparse
@@ -45,6 +45,41 @@ fix nve all nve/sphere
 """
 
 
+LIQUID = "fix wet all liquid content {} " + WATER
+NECK = "".join(f"fix of_{name} all property/global {name} {kind} {value}\n" for name, kind, value in (
+    ("neckSurfaceTension", "peratomtypepair 1", 2.0), ("neckTensileStrength", "peratomtypepair 1", 1e7),
+    ("neckShearStrength", "peratomtypepair 1", 1e7), ("neckStiffness", "peratomtypepair 1", 1e3),
+    ("neckLatticeConstant", "scalar", 2.87e-10), ("surfaceDiffusionPrefactor", "scalar", 5e-4),
+    ("surfaceDiffusionEnergy", "scalar", 2.2e5), ("volumeDiffusionPrefactor", "scalar", 2e-4),
+    ("volumeDiffusionEnergy", "scalar", 2.5e5)))
+
+
+def wet():
+    return {"bridge, no liquid": ("cohesion bridge", LIQUID.format(0)),
+            "bridge, content 0.001": ("cohesion bridge", LIQUID.format(0.001)),
+            "bridge, content 0.01": ("cohesion bridge", LIQUID.format(0.01)),
+            "bridge, content 0.01, viscous": ("cohesion bridge", LIQUID.format(0.01) + " " + VISCOUS)}
+
+
+def laws():
+    return {law: ("cohesion bridge", LIQUID.format(0.01) + " law " + law)
+            for law in ("willett", "willett_fit", "mikami", "rabinovich", "rabinovich_energy", "lian_toroid")}
+
+
+def dry_models():
+    hamaker = "fix of_h all property/global hamakerConstant peratomtype {}"
+    work = "fix of_w all property/global workOfAdhesion peratomtypepair 1 {}"
+    rolling = ("fix of_r all property/global coefficientRollingFriction peratomtypepair 1 0.1\n"
+               "fix of_k all property/global rollingTimeConstant peratomtypepair 1 1e-3")
+    return {"van_der_waals, 0": ("cohesion van_der_waals", hamaker.format(0)),
+            "van_der_waals": ("cohesion van_der_waals", hamaker.format(1e-19)),
+            "jkr, 0": ("cohesion jkr", work.format(0)),
+            "jkr": ("cohesion jkr", work.format(0.05)),
+            "sintered_neck": ("cohesion sintered_neck neck_temperature 1400 greatest_gap 1e-6", NECK),
+            "rolling viscous": ("rolling_friction viscous", rolling),
+            "rolling limited": ("rolling_friction limited", rolling)}
+
+
 def launch(program, folder, name):
     done = subprocess.run([str(program), "-in", name, "-log", "none"], cwd=folder, capture_output=True,
                           text=True, check=False)
@@ -62,11 +97,12 @@ def times(text):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=Path, default=SOURCE / "build")
-    parser.add_argument("--work", type=Path, default=SOURCE / "results" / "wet_speed")
+    parser.add_argument("--work", type=Path, default=SOURCE / "results" / "contact_model_speed")
     parser.add_argument("--grains", type=int, default=5000)
     parser.add_argument("--steps", type=int, default=3000)
     parser.add_argument("--repeats", type=int, default=5)
-    parser.add_argument("--laws", action="store_true", help="every capillary law at a content of 0.01")
+    parser.add_argument("--of", choices=("wet", "laws", "dry"), default="wet",
+                        help="bridges; capillary laws at a content of 0.01; dry adhesion and rolling")
     options = parser.parse_args()
     work = options.work.resolve()
     work.mkdir(parents=True, exist_ok=True)
@@ -88,18 +124,10 @@ def main():
             f"run 20000\nwrite_data {packed.name}\n")
         launch(program, work, "in.pack")
 
-    wet = "fix wet all liquid content {} " + WATER
-    variants = {"dry, no cohesion model": ("", ""),
-                "cohesion bridge, content 0": ("cohesion bridge", wet.format(0)),
-                "content 0.001": ("cohesion bridge", wet.format(0.001)),
-                "content 0.01": ("cohesion bridge", wet.format(0.01)),
-                "content 0.01, viscous": ("cohesion bridge", wet.format(0.01) + " " + VISCOUS)}
-    if options.laws:
-        for law in ("mikami", "willett_fit", "rabinovich", "rabinovich_energy", "lian_toroid"):
-            variants[f"content 0.01, {law}"] = ("cohesion bridge", wet.format(0.01) + " law " + law)
-    for number, (cohesion, liquid) in enumerate(variants.values()):
+    variants = {"no model of ours": ("", "")} | {"wet": wet, "laws": laws, "dry": dry_models}[options.of]()
+    for number, (model, lines) in enumerate(variants.values()):
         (work / f"in.{number}").write_text(
-            HEAD + f"read_data {packed.name}\n" + models.format(cohesion=cohesion) + liquid
+            HEAD + f"read_data {packed.name}\n" + models.format(cohesion=model) + lines
             + f"\nvelocity all set NULL NULL {SPEED} units box\nrun 1000\n"
             + f"velocity all set NULL NULL {SPEED} units box\nrun {options.steps}\n")
     loops = {name: [] for name in variants}
@@ -111,15 +139,15 @@ def main():
             pairs[name].append(pair)
         print(f"{repeat + 1} of {options.repeats}", flush=True)
 
-    dry = next(iter(variants))
+    base = next(iter(variants))
 
     def ratio(values, name):
-        ratios = [a / b for a, b in zip(values[name], values[dry])]
+        ratios = [a / b for a, b in zip(values[name], values[base])]
         return f"{statistics.median(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f})"
 
     print(f"\n{options.grains} settled spheres, {options.steps} steps, 1 rank, median of {options.repeats} "
           "(least to greatest)\n")
-    print("| | particle-steps/s | time of dry | pair part of dry |\n|---|---|---|---|")
+    print("| | particle-steps/s | time | pair part |\n|---|---|---|---|")
     for name in variants:
         speed = options.grains * options.steps / statistics.median(loops[name])
         print(f"| {name} | {speed:.3g} | {ratio(loops, name)} | {ratio(pairs, name)} |")
