@@ -74,20 +74,25 @@ class Chooser {
     row_.note = "of what upwind would add";
   }
   void choose(SizeDepthCorrection) { set(scene_.gas.plane_of_spheres > 0.0, needed()); }
-  template <class Absent>
-  void choose(Absent) {
+  // Dry and uncharged grains want neither, and whether they are the script does not say.
+  void choose(SizeLiquidBridge) { of_cohesion("bridge", "; if the grains were wet", false); }
+  void choose(SizeElectrostatics) {
+    of_cohesion("electrostatic", "; at the greatest charge", false);
+  }
+  void choose(SizeVanDerWaals) { of_cohesion("van_der_waals", "", needed()); }
+  void choose(SizeLubrication) {
     row_.now = "absent";
     row_.advised = needed() ? "wanted" : "absent";
     row_.note = "not in this version";
     row_.price = "none: absent";
-    if (std::is_same_v<Absent, SizeLiquidBridge>) row_.note += "; if the grains were wet";
-    if (std::is_same_v<Absent, SizeElectrostatics>) row_.note += "; at the greatest charge";
-    // Dry and uncharged grains want neither.
-    if (std::is_same_v<Absent, SizeLiquidBridge> || std::is_same_v<Absent, SizeElectrostatics>)
-      row_.advised = "absent";
   }
 
  private:
+  void of_cohesion(const std::string& model, const std::string& condition, bool wanted) {
+    const bool now = scene_.contacts.cohesion == model;
+    set(now, now || wanted);
+    row_.note = "cohesion " + model + condition;
+  }
   void set(bool now, bool advised) {
     row_.now = on_off(now);
     row_.advised = on_off(advised);
@@ -142,6 +147,8 @@ std::vector<EffectRow> effect_rows(const AdviseScene& scene, const Places& place
 std::string effect_price(const std::string& name) {
   // ns a grain and DEM step, and their share of the 356 ns of a DEM step of the spouted bed.
   static const std::map<std::string, std::string> prices{
+      {"liquid bridges", "50 to 75 % of the grains' part"},
+      {"van der Waals", "25 % of the grains' part"},
       {"drag", "10 ns (3 %)"},
       {"pressure_gradient", "0 ns"},
       {"viscous_stress", "2 ns, gas 13 %*"},

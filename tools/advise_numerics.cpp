@@ -165,9 +165,11 @@ class NumberAdvice {
       faults.push_back(
           fmt::format("wider than the nozzle of {:.2g} m, whose jet then starts as wide as a cell",
                       places_.nozzle_width));
+    // Between walls; a periodic slice is as thin as its scene wants it.
     constexpr double cells_across = 3.0;
     for (int d = 0; d < 3; ++d)
-      if (scene_.gas.grid.cells[d] > 1 && h[d] * cells_across > size[d] * (1.0 + 1e-9))
+      if (scene_.gas.grid.cells[d] > 1 && !scene_.gas.grid.periodic[d] &&
+          h[d] * cells_across > size[d] * (1.0 + 1e-9))
         faults.push_back(fmt::format("less than 3 cells along {}", "xyz"[d]));
     for (const auto& fault : faults) row.reason += "; " + fault;
     const double block = std::pow(2.5 * diameter_, 3) / scene_.gas.grid.cell_volume();

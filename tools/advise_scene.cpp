@@ -76,7 +76,8 @@ class SceneReader {
     contacts.normal = words.after("model");
     contacts.tangential = words.after("tangential");
     if (contacts.tangential == "off") contacts.tangential.clear();
-    contacts.cohesion = words.has("cohesion") && words.after("cohesion") != "off";
+    if (words.has("cohesion")) contacts.cohesion = words.after("cohesion");
+    if (contacts.cohesion == "off") contacts.cohesion.clear();
   }
 
   void read_couple(const ScriptCommand& command, CommandWords words) {

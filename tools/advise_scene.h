@@ -17,8 +17,8 @@ namespace gasgrain {
 struct Contacts {
   std::string normal;      // hertz, hooke, ...; empty: no granular pair style
   std::string tangential;  // "history", "no_history", or empty
-  bool cohesion = false;
-  double youngs = 0.0;  // [Pa]
+  std::string cohesion;    // "bridge", "sjkr", ..., or empty
+  double youngs = 0.0;     // [Pa]
   double poisson = 0.0;
   double restitution = 1.0;              // the least of all pairs
   double friction = 0.0;                 // the greatest

@@ -5,34 +5,17 @@ dense bed all grains touch some others at any moment; an agglomerate is what sta
 are listed in every file of a while (HELD, 50 ms: some times what a bubble needs to pass a grain).
 """
 
-import json
-import re
 from pathlib import Path
 
 import numpy as np
 
-from report_read import ReportError
+from report_read import ReportError, numbered_files
 
 HELD = 0.05  # s
 
 
 def pair_files(folder):
-    """(time [s], file) of every file pairs/pairs_STEP.txt in the order of time; 0 is when the gas starts."""
-    folder = Path(folder)
-    try:
-        plan = json.loads((folder / "run.json").read_text())
-        start, dt = int(plan["start_step"]), float(plan["dt_s"])
-    except (OSError, ValueError, KeyError) as error:
-        raise ReportError(f"{folder / 'run.json'} cannot be read: {error}") from error
-    found = []
-    for file in (folder / "pairs").glob("pairs_*.txt"):
-        step = re.fullmatch(r"pairs_(\d+)\.txt", file.name)
-        if step:
-            found.append(((int(step[1]) - start) * dt, file))
-    if not found:
-        raise ReportError(f"{folder / 'pairs'} holds no file pairs_STEP.txt: in.liggghts must have a "
-                          "'compute pair/gran/local id history' and a 'dump local' of it")
-    return sorted(found)
+    return numbered_files(folder, "pairs/pairs_*.txt", "in.liggghts must have a 'compute pair/gran/local id history' and a 'dump local' of it")
 
 
 def read_pairs(file):

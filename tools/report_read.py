@@ -36,22 +36,27 @@ def read_history(folder):
     return dict(zip(names, values.T))
 
 
-def particle_files(folder):
-    """(time [s], file) of every particle file in the order of time; 0 is when the gas starts."""
+def numbered_files(folder, name, absent):
+    """(time [s], file) of every file whose NAME holds * for a step, in the order of time; 0 is when the gas starts."""
     folder = Path(folder)
     try:
         plan = json.loads((folder / "run.json").read_text())
         start, dt = int(plan["start_step"]), float(plan["dt_s"])
     except (OSError, ValueError, KeyError) as error:
         raise ReportError(f"{folder / 'run.json'} cannot be read: {error}") from error
+    step_of = re.compile(re.escape(Path(name).name).replace(r"\*", r"(\d+)"))
     found = []
-    for file in (folder / "particles").glob("p_*.vtk"):
-        step = re.fullmatch(r"p_(\d+)\.vtk", file.name)
+    for file in folder.glob(name):
+        step = step_of.fullmatch(file.name)
         if step:
             found.append(((int(step[1]) - start) * dt, file))
     if not found:
-        raise ReportError(f"{folder / 'particles'} holds no particle file p_STEP.vtk")
+        raise ReportError(f"{folder}: no file {name}: {absent}")
     return sorted(found)
+
+
+def particle_files(folder):
+    return numbered_files(folder, "particles/p_*.vtk", "the script writes no particle files")
 
 
 class VtkFile:

@@ -116,10 +116,15 @@ class WhatAScenesNumbersChange(InFolder):
         self.assertEqual(rows["basset"]["advised"], "off")
         self.assertIn("upper bound above Re = 1", rows["basset"]["note"])
 
-    def test_fine_powder_wants_the_van_der_waals_force_that_this_version_lacks(self):
-        scene = self.scene(("in.liggghts", "radius constant 0.00125", "radius constant 0.00002"))
-        row = effects(scene)["van der Waals"]
-        self.assertEqual((row["now"], row["advised"]), ("absent", "wanted"))
+    def test_fine_powder_wants_the_van_der_waals_force(self):
+        old = ("in.liggghts", "radius constant 0.00125", "radius constant 0.00002")
+        row = effects(self.scene(old))["van der Waals"]
+        self.assertEqual((row["now"], row["advised"]), ("off", "on"))
+        self.assertIn("cohesion van_der_waals", row["note"])
+
+    def test_wet_scenes_are_known_by_their_contact_model(self):
+        self.assertEqual(effects(INPUTS / "wet_fluidised_bed")["liquid bridges"]["now"], "on")
+        self.assertEqual(effects(INPUTS / "spouted_bed_small")["liquid bridges"]["now"], "off")
 
     def test_an_interval_of_many_cells_is_advised_against(self):
         scene = self.scene(("in.liggghts", "variable interval      index 1.0e-3",

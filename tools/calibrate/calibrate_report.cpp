@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "coupling/base/error.h"
+#include "tools/whole_file.h"
 
 namespace gasgrain {
 
@@ -11,16 +12,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 namespace {
-
-// Written beside and renamed: a calibration that is stopped leaves whole files.
-void write_whole(const fs::path& file, const std::string& text) {
-  const fs::path beside = file.string() + ".part";
-  std::ofstream stream(beside);
-  stream << text;
-  stream.close();
-  if (!stream) fail("{} cannot be written.", file.string());
-  fs::rename(beside, file);
-}
 
 std::string set_options(const CalibrationProblem& problem, const CalibrationPoint& point) {
   std::string text;

@@ -24,15 +24,8 @@ struct DrainedKeys {
 Measurement measure_drained(const std::filesystem::path& results, const DrainedKeys& keys) {
   const auto file = results / keys.dump;
   const DumpFrame frame = read_dump(file).back();
-  auto grains = frame.grains();
-  const auto above = [&](const Grain& grain) { return grain.position.z() > keys.floor; };
-  grains.erase(std::partition(grains.begin(), grains.end(), above), grains.end());
-  constexpr std::size_t fewest = 50;
-  if (grains.size() < fewest)
-    fail(
-        "{}: {} grains lie above z = {:g} m in the last frame: the box is empty. At least {} are "
-        "needed: take more friction or a narrower slot.",
-        file.string(), grains.size(), keys.floor, fewest);
+  const auto grains = grains_above(keys.floor, frame, file,
+                                   "the box is empty. Take more friction or a narrower slot.");
   const Extent extent = extent_of(grains);
   auto points = seen_from_above(grains, extent.box, extent.diameter / points_per_grain, keys.floor);
   for (auto& point : points) {

@@ -27,15 +27,7 @@ struct HeapKeys {
 Measurement measure_heap(const std::filesystem::path& results, const HeapKeys& keys) {
   const auto file = results / keys.dump;
   const DumpFrame frame = read_dump(file).back();
-  auto grains = frame.grains();
-  const auto above = [&](const Grain& grain) { return grain.position.z() > keys.floor; };
-  grains.erase(std::partition(grains.begin(), grains.end(), above), grains.end());
-  constexpr std::size_t fewest = 50;
-  if (grains.size() < fewest)
-    fail(
-        "{}: {} grains lie above z = {:g} m in the last frame: that is no heap. At least {} are "
-        "needed.",
-        file.string(), grains.size(), keys.floor, fewest);
+  const auto grains = grains_above(keys.floor, frame, file, "that is no heap.");
 
   Vec3 axis = Vec3::Zero();
   double diameter = 0.0;

@@ -32,6 +32,18 @@ std::vector<Bin> mean_profile(const std::vector<SurfacePoint>& points, double wi
 
 }  // namespace
 
+std::vector<Grain> grains_above(double floor, const DumpFrame& frame,
+                                const std::filesystem::path& dump, const std::string& too_few) {
+  auto grains = frame.grains();
+  const auto above = [&](const Grain& grain) { return grain.position.z() > floor; };
+  grains.erase(std::partition(grains.begin(), grains.end(), above), grains.end());
+  constexpr std::size_t fewest = 50;
+  if (grains.size() < fewest)
+    fail("{}: {} grains lie above z = {:g} m in the last frame, at least {} are needed: {}",
+         dump.string(), grains.size(), floor, fewest, too_few);
+  return grains;
+}
+
 Extent extent_of(const std::vector<Grain>& grains) {
   constexpr double far = std::numeric_limits<double>::max();
   Extent extent{{far, -far, far, -far}, 0.0};

@@ -7,7 +7,9 @@
 // of the least-squares line is not changed by it.
 #pragma once
 
+#include <filesystem>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "tools/measure/dump_file.h"
@@ -24,6 +26,11 @@ struct SurfacePoint {
 struct Box2 {
   double x_lo, x_hi, y_lo, y_hi;
 };
+
+// Of the last frame of a dump, the grains above a height [m]. Throws Error, with what it means,
+// when they are fewer than a surface needs.
+std::vector<Grain> grains_above(double floor, const DumpFrame& frame,
+                                const std::filesystem::path& dump, const std::string& too_few);
 
 // Where grains lie, surfaces included, and their mean diameter.
 struct Extent {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "coupling/base/error.h"
+#include "tools/whole_file.h"
 
 namespace gasgrain {
 
@@ -25,16 +26,6 @@ std::string field(std::string text) {
 
 std::string number(double value) {
   return std::isfinite(value) ? fmt::format("{:.5g}", value) : "";
-}
-
-// Written beside and renamed: a study that is stopped leaves whole tables.
-void write_whole(const fs::path& file, const std::string& text) {
-  const fs::path beside = file.string() + ".part";
-  std::ofstream stream(beside);
-  stream << text;
-  stream.close();
-  if (!stream) fail("{} cannot be written.", file.string());
-  fs::rename(beside, file);
 }
 
 std::vector<std::string> cells(const StudyRow& row, const std::vector<std::string>& columns) {
