@@ -121,9 +121,10 @@ void FixLiquid::record() {
   fmt::print(file,
              "{},{:.9g},{:.15g},{:.15g},{:.15g},{:.15g},{:.15g},{:.15g},{:.3g},{},{},{},{},{},"
              "{:.6g},{}\n",
-             update->ntimestep, update->get_cur_time(), t.films, t.bridges, t.wall_bridges, t.walls,
-             ledger_.came_in, ledger_.gone, residual, t.count, ledger_.formed, ledger_.broken,
-             ledger_.cut_short, ledger_.lost_sight, saturation, t.beyond_pendular);
+             update->ntimestep, static_cast<double>(update->ntimestep) * update->dt, t.films,
+             t.bridges, t.wall_bridges, t.walls, ledger_.came_in, ledger_.gone, residual, t.count,
+             ledger_.formed, ledger_.broken, ledger_.cut_short, ledger_.lost_sight, saturation,
+             t.beyond_pendular);
   std::fclose(file);
 }
 
