@@ -10,7 +10,7 @@
 
 #include <string_view>
 
-#include "coupling/exchange/void_fraction/tile_frame.h"
+#include "coupling/base/tile_frame.h"
 
 namespace gasgrain {
 

@@ -23,8 +23,8 @@
 #include <string_view>
 #include <vector>
 
+#include "coupling/base/tile_frame.h"
 #include "coupling/exchange/void_fraction/sphere_box_overlap.h"
-#include "coupling/exchange/void_fraction/tile_frame.h"
 
 namespace gasgrain {
 

@@ -20,8 +20,8 @@
 
 #include <string_view>
 
-#include "coupling/exchange/void_fraction/axis_weights.h"
-#include "coupling/exchange/void_fraction/tile_frame.h"
+#include "coupling/base/axis_weights.h"
+#include "coupling/base/tile_frame.h"
 
 namespace gasgrain {
 

@@ -29,9 +29,9 @@
 
 #include <string_view>
 
+#include "coupling/base/axis_weights.h"
+#include "coupling/base/tile_frame.h"
 #include "coupling/exchange/separable_spread.h"
-#include "coupling/exchange/void_fraction/axis_weights.h"
-#include "coupling/exchange/void_fraction/tile_frame.h"
 
 namespace gasgrain {
 

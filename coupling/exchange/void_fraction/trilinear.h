@@ -14,8 +14,7 @@
 
 #include <string_view>
 
-#include "coupling/exchange/void_fraction/axis_weights.h"
-#include "coupling/exchange/void_fraction/tile_frame.h"
+#include "coupling/base/trilinear_weights.h"
 
 namespace gasgrain {
 
@@ -27,14 +26,7 @@ struct VoidFractionTrilinear {
 
   template <class F>
   static void for_each_weight(const TileFrame& frame, const Vec3& x, double /*radius*/, F&& f) {
-    std::array<AxisWeights, 3> axes;
-    for (int d = 0; d < 3; ++d) {
-      const double s = frame.in_cells(x[d], d) - 0.5;
-      const double below = std::floor(s);
-      axes[d].add(frame.cell(below, d), 1.0 - (s - below));
-      axes[d].add(frame.cell(below + 1.0, d), s - below);
-    }
-    for_each_product(axes, f);
+    for_each_product(trilinear_axes(frame, x), f);
   }
 };
 
