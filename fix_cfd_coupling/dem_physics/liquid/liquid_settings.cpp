@@ -1,57 +1,26 @@
 #include "fix_cfd_coupling/dem_physics/liquid/liquid_settings.h"
 
-#include <cmath>
-#include <cstdlib>
-#include <functional>
-#include <map>
-
-#include "coupling/base/choice_list.h"
-#include "coupling/base/error.h"
+#include "coupling/base/word_reader.h"
 #include "fix_cfd_coupling/dem_physics/bridge/bridge_faults.h"
 
 namespace gasgrain::liquid {
 
 namespace {
 
-std::optional<double> as_number(const std::string& word) {
-  char* end = nullptr;
-  const double value = std::strtod(word.c_str(), &end);
-  if (word.empty() || *end != '\0') return std::nullopt;
-  return value;
-}
-
-class Reader {
+class Reader : WordReader {
  public:
-  Reader(const std::vector<std::string>& words, int types) : words_(words), types_(types) {}
+  Reader(const std::vector<std::string>& words, int types) : WordReader(words), types_(types) {}
 
   LiquidSettings read() {
-    const std::map<std::string, std::function<void()>> keywords = this->keywords();
-    std::vector<std::string> names;
-    for (const auto& [name, action] : keywords) names.push_back(name);
-    while (at_ < words_.size()) {
-      const std::string word = words_[at_++];
-      if (const auto found = keywords.find(word); found != keywords.end())
-        found->second();
-      else
-        fault("\"{}\" is no keyword.{}", word, suggestion(word, names));
-    }
+    read_keywords(keywords());
     check_whole();
-    if (faults_.empty()) {
-      tabulate_angles();
-      return settings_;
-    }
-    std::string text = "fix liquid cannot be used:";
-    for (const std::string& one : faults_) text += "\n  " + one;
-    throw Error(text);
+    throw_faults("fix liquid");
+    tabulate_angles();
+    return settings_;
   }
 
  private:
-  template <class... Args>
-  void fault(fmt::format_string<Args...> text, Args&&... args) {
-    faults_.push_back(fmt::format(text, std::forward<Args>(args)...));
-  }
-
-  std::map<std::string, std::function<void()>> keywords() {
+  Keywords keywords() {
     LiquidSettings& s = settings_;
     return {
         {"content", [&] { s.content = number("content", 0.0, 1.0, "liquid over grain volume"); }},
@@ -81,55 +50,16 @@ class Reader {
     };
   }
 
-  std::optional<std::string> word(std::string_view key, std::string_view what) {
-    if (at_ < words_.size()) return words_[at_++];
-    fault("{}: its value is missing: {}.", key, what);
-    return std::nullopt;
-  }
-
-  double number(std::string_view key, double low, double high, std::string_view what) {
-    const auto text = word(key, what);
-    if (!text) return 0.0;
-    const auto value = as_number(*text);
-    if (!value) {
-      fault("{} {}: must be a number ({}).", key, *text, what);
-      return 0.0;
-    }
-    if (!(*value >= low && *value <= high))
-      fault("{} {}: must be from {} to {} ({}).", key, *text, low, high, what);
-    return *value;
-  }
-
   double volume(std::string_view key) {
     return number(key, 0.0, 1.0, "liquid of a grain in m3, 1e-12 is a cube of 0.1 mm");
   }
 
-  int whole(std::string_view key, int least, std::string_view what) {
-    const double value = number(key, least, 1e9, what);
-    if (value != std::floor(value)) fault("{} {}: must be a whole number.", key, value);
-    return static_cast<int>(value);
-  }
-
-  template <class List>
-  List choice(std::string_view key, const List& before) {
-    const auto names = choice_names<List>();
-    const auto name = word(key, fmt::format("one of {}", fmt::join(names, ", ")));
-    if (!name) return before;
-    if (const auto found = choice_named<List>(*name)) return *found;
-    fault("{} \"{}\" is unknown.{}", key, *name, suggestion(*name, names));
-    return before;
-  }
-
   void read_angles() {
     std::vector<double>& angles = settings_.contact_angles;
-    angles.clear();
-    for (; at_ < words_.size(); ++at_) {
-      const auto value = as_number(words_[at_]);
-      if (!value) break;
-      angles.push_back(*value);
-      if (std::string text = bridge::contact_angle_fault(*value); !text.empty())
-        faults_.push_back(std::move(text));
-    }
+    angles = numbers();
+    for (const double angle : angles)
+      if (std::string text = bridge::contact_angle_fault(angle); !text.empty())
+        add_fault(std::move(text));
     if (angles.empty() || (angles.size() > 1 && static_cast<int>(angles.size()) != types_))
       fault("contact_angle: give one number for all grain types or one for each of the {}, not {}.",
             types_, angles.size());
@@ -179,7 +109,7 @@ class Reader {
       if (!wall.area || !(*wall.area > 0.0))
         fault("wall {} {}: after its ID give its area in m2, above 0, or 'mesh'.", *id, *area);
     }
-    if (at_ < words_.size() && as_number(words_[at_])) wall.film = volume("wall " + *id);
+    if (number_follows()) wall.film = volume("wall " + *id);
     for (const WallSetting& other : settings_.walls)
       if (other.id == wall.id) fault("wall {}: is named twice. Leave out one of the two.", *id);
     settings_.walls.push_back(wall);
@@ -203,21 +133,12 @@ class Reader {
           "minimum_separation [m].");
     else if (separation_given_)
       for (std::string& text : bridge::viscous_faults(s.viscosity, s.minimum_separation))
-        faults_.push_back(std::move(text));
+        add_fault(std::move(text));
   }
 
-  [[nodiscard]] bool named(std::string_view key) const {
-    for (const std::string& one : words_)
-      if (one == key) return true;
-    return false;
-  }
-
-  const std::vector<std::string>& words_;
   int types_;
-  std::size_t at_ = 0;
   bool separation_given_ = false;
   LiquidSettings settings_;
-  std::vector<std::string> faults_;
 };
 
 }  // namespace
