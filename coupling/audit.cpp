@@ -120,8 +120,8 @@ void Audit::look(const ParticleView& particles, const ExchangeRecords& records,
       at.spin = Eigen::Map<const Vec3>(particles.angular_velocity + 3 * p).norm();
     raise(extremes_.diameter, d);
     raise(extremes_.largest_inverse, 1.0 / d);
-    volume_ += d * d * d;
-    surface_ += d * d;
+    volume_ += particles.N(p) * d * d * d;
+    surface_ += particles.N(p) * d * d;
     at.smallest_diameter = 1.0 / extremes_.largest_inverse;
     at.sauter_diameter = volume_ / surface_;
     if (gas_known_) {

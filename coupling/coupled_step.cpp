@@ -117,7 +117,7 @@ void CoupledStep::make_tile(const IndexBox& tile) {
 // particles that are still there know of. (Particles that changed ranks cancel in the sum of
 // ranks.)
 void CoupledStep::settle(const ParticleView& particles, const ExchangeRecords& records) {
-  const Vec3 outstanding = outstanding_carry(particles.count, records);
+  const Vec3 outstanding = outstanding_carry(particles, records);
   ledger_.add_left(forces_.applied().reacting - expected_in_interval_ - outstanding);
   ledger_.add_taken(forces_.applied());
   forces_.clear();
@@ -168,7 +168,7 @@ void CoupledStep::begin(const ParticleView& particles, const DemRegion& region,
   }
   if (overlapped_) return;
   book_expected(particles, effects_, interval_, records);
-  expected_in_interval_ = -outstanding_carry(particles.count, records);
+  expected_in_interval_ = -outstanding_carry(particles, records);
 }
 
 void CoupledStep::deposit(const ParticleView& particles) {
@@ -324,7 +324,7 @@ std::string CoupledStep::finish() {
 Ledger CoupledStep::whole_ledger(const ParticleView& particles,
                                  const ExchangeRecords& records) const {
   Ledger whole = ledger_;
-  const Vec3 outstanding = outstanding_carry(particles.count, records);
+  const Vec3 outstanding = outstanding_carry(particles, records);
   whole.set_outstanding(outstanding);
   whole.add_taken(forces_.applied());
   // Of grains removed since the last coupling.
@@ -339,7 +339,7 @@ void CoupledStep::resume(const ParticleView& particles, const ExchangeRecords& r
                          const std::vector<double>& ledger_values, const Report& last) {
   if (local_.is_root()) ledger_.set_values(ledger_values);
   report_ = last;
-  expected_in_interval_ = -outstanding_carry(particles.count, records);
+  expected_in_interval_ = -outstanding_carry(particles, records);
 }
 
 }  // namespace gasgrain

@@ -17,26 +17,6 @@
 namespace gasgrain {
 namespace {
 
-// Messages of one do not meet those of another.
-class OwnCommunicator {
- public:
-  explicit OwnCommunicator(const Communicator& like) {
-    MPI_Comm copy = MPI_COMM_NULL;
-    MPI_Comm_dup(like.handle(), &copy);
-    comm_ = Communicator(copy);
-  }
-  ~OwnCommunicator() {
-    MPI_Comm handle = comm_.handle();
-    MPI_Comm_free(&handle);
-  }
-  OwnCommunicator(const OwnCommunicator&) = delete;
-  OwnCommunicator& operator=(const OwnCommunicator&) = delete;
-  [[nodiscard]] const Communicator& get() const { return comm_; }
-
- private:
-  Communicator comm_;
-};
-
 class InnerGas : public GasPartner {
  public:
   InnerGas(const GasInput& input, const GasFiles& files, const Communicator& dem)

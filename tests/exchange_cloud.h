@@ -14,21 +14,30 @@ struct Cloud {
   std::vector<double> velocity;
   std::vector<double> radius;
   std::vector<double> mass;
+  std::vector<double> parcel_size;  // empty: particles
 
   void add(const Vec3& x, const Vec3& v, double r, double m = 1e-6) {
     position.insert(position.end(), x.data(), x.data() + 3);
     velocity.insert(velocity.end(), v.data(), v.data() + 3);
     radius.push_back(r);
     mass.push_back(m);
+    if (!parcel_size.empty()) parcel_size.push_back(1.0);
   }
   void remove_last() {
     position.resize(position.size() - 3);
     velocity.resize(velocity.size() - 3);
     radius.pop_back();
     mass.pop_back();
+    if (!parcel_size.empty()) parcel_size.pop_back();
   }
   [[nodiscard]] ParticleView view() const {
-    return {radius.size(), position.data(), velocity.data(), nullptr, radius.data(), mass.data()};
+    return {radius.size(),
+            position.data(),
+            velocity.data(),
+            nullptr,
+            radius.data(),
+            mass.data(),
+            parcel_size.empty() ? nullptr : parcel_size.data()};
   }
 };
 

@@ -35,6 +35,26 @@ class Communicator {
   int size_ = 1;
 };
 
+// A copy of a communicator: messages of one do not meet those of another.
+class OwnCommunicator {
+ public:
+  explicit OwnCommunicator(const Communicator& like) {
+    MPI_Comm copy = MPI_COMM_NULL;
+    MPI_Comm_dup(like.handle(), &copy);
+    comm_ = Communicator(copy);
+  }
+  ~OwnCommunicator() {
+    MPI_Comm handle = comm_.handle();
+    MPI_Comm_free(&handle);
+  }
+  OwnCommunicator(const OwnCommunicator&) = delete;
+  OwnCommunicator& operator=(const OwnCommunicator&) = delete;
+  [[nodiscard]] const Communicator& get() const { return comm_; }
+
+ private:
+  Communicator comm_;
+};
+
 // Waits for all requests. A rank that waits for the partner program sleeps between looks instead
 // of spinning (Open MPI's own wait spins): 20 us at first, up to 1 ms, so that a wait is at most
 // about 5 % longer than it must be and the core is free for whoever computes.

@@ -81,7 +81,7 @@ void ForceLoop::apply(const ParticleView& particles, ExchangeRecords& records,
     if (block.begin == 0 && costs_.wants_parts())
       time_solve(block, particles, records, host.force, dt);
     costs_.start();
-    add_steady(block, records, host, share * dt);
+    add_steady(block, particles, records, host, share * dt);
     costs_.pass_done(costs_.row_of_every_step());
     add_motions(block, particles, records, host, share * dt);
     if (added_mass_ || basset_)
@@ -94,21 +94,22 @@ void ForceLoop::apply(const ParticleView& particles, ExchangeRecords& records,
   }
 }
 
-void ForceLoop::add_steady(Block block, ExchangeRecords& records, const HostForces& host,
-                           double duration) {
+void ForceLoop::add_steady(Block block, const ParticleView& particles, ExchangeRecords& records,
+                           const HostForces& host, double duration) {
   const int reaction = records.layout().reaction;
   Vec3 of_host = Vec3::Zero();
   Vec3 steady = Vec3::Zero();
   Vec3 reacting = Vec3::Zero();
   for (std::size_t p = block.begin; p < block.end; ++p) {
     Eigen::Map<Vec3> force(host.force + 3 * p);
-    of_host += force;
-    steady += records.steady_force(p);
+    const double N = particles.N(p);
+    of_host += N * force;
+    steady += N * records.steady_force(p);
     force += records.steady_force(p);
     if (reaction < 0) continue;
     records.taken(p) += records.at(p, reaction) * duration;
-    reacting += records.at(p, reaction);
-    applied_.exchanged += records.at(p, reaction).lpNorm<1>() * duration;
+    reacting += N * records.at(p, reaction);
+    applied_.exchanged += N * records.at(p, reaction).lpNorm<1>() * duration;
   }
   applied_.host += of_host * duration;
   applied_.reacting += reacting * duration;
@@ -140,16 +141,17 @@ double ForceLoop::add_motion(const Motion& motion, Block block, const ParticleVi
   for (std::size_t p = block.begin; p < block.end; ++p) {
     const GasAtParticle at = gas_at(records, p);
     const GrainState grain = grain_of(particles, p);
+    const double N = particles.N(p);
     if constexpr (Motion::kind == ForceKind::torque) {
       const Vec3 torque = motion.torque(gas_, at, grain);
       Eigen::Map<Vec3>(host.torque + 3 * p) += torque;
-      work += torque.lpNorm<1>() * duration;
+      work += N * torque.lpNorm<1>() * duration;
     } else {
       const Vec3 force = motion.force(gas_, at, grain);
       Eigen::Map<Vec3>(host.force + 3 * p) += force;
       if constexpr (Motion::reacts) records.taken(p) += force * duration;
-      impulse += force * duration;
-      work += force.lpNorm<1>() * duration;
+      impulse += N * force * duration;
+      work += N * force.lpNorm<1>() * duration;
     }
   }
   if constexpr (Motion::kind == ForceKind::motion && Motion::reacts) {
@@ -172,6 +174,7 @@ void ForceLoop::solve_motion(Block block, const ParticleView& particles, Exchang
   for (std::size_t p = block.begin; p < block.end; ++p) {
     const double K = own_drag_ ? records.K(p) : 0.0;
     const double mass = particles.mass[p];
+    const double N = particles.N(p);
     [[maybe_unused]] double virtual_mass = 0.0;
     [[maybe_unused]] double history_mass = 0.0;
     [[maybe_unused]] Vec3 history = Vec3::Zero();
@@ -199,16 +202,16 @@ void ForceLoop::solve_motion(Block block, const ParticleView& particles, Exchang
         gain = mass * acceleration - total;
         const double of_virtual_mass = virtual_mass * rate[d];
         const double of_history = history_mass * rate[d] + history[d];
-        virtual_mass_work += std::abs(of_virtual_mass);
-        history_work += std::abs(of_history);
-        drag_work += std::abs(gain - of_virtual_mass - of_history);
+        virtual_mass_work += N * std::abs(of_virtual_mass);
+        history_work += N * std::abs(of_history);
+        drag_work += N * std::abs(gain - of_virtual_mass - of_history);
       } else {
         gain = pull + less * (pull + total);
-        drag_work += std::abs(gain);
+        drag_work += N * std::abs(gain);
       }
       total += gain;
       taken[d] += gain * share * dt;
-      impulse[d] += gain;
+      impulse[d] += N * gain;
     }
     // The first half of a step after a start is no step of the memory.
     if constexpr (with_inertia)
@@ -241,6 +244,7 @@ void ForceLoop::time_solve(Block block, const ParticleView& particles,
   some.velocity += 3 * block.begin;
   some.radius += block.begin;
   some.mass += block.begin;
+  if (some.parcel_size != nullptr) some.parcel_size += block.begin;
   const auto seconds = [&](ForceLoop& trial) {
     constexpr int repeats = 3;  // the shortest is that which nothing interrupted
     double shortest = std::numeric_limits<double>::max();

@@ -62,7 +62,8 @@ class ForceLoop {
     std::size_t begin;
     std::size_t end;
   };
-  void add_steady(Block block, ExchangeRecords& records, const HostForces& host, double duration);
+  void add_steady(Block block, const ParticleView& particles, ExchangeRecords& records,
+                  const HostForces& host, double duration);
   void add_motions(Block block, const ParticleView& particles, ExchangeRecords& records,
                    const HostForces& host, double duration);
   template <class Motion>

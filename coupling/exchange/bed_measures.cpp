@@ -23,8 +23,10 @@ void BedMeasures::add(const ParticleView& particles) {
   const double last_bin = static_cast<double>(values_.size()) - scalars_ - 1.0;
   for (std::size_t p = 0; p < particles.count; ++p) {
     const double radius = particles.radius[p];
-    const double mass = particles.mass[p];
-    values_[0] += 1.0;
+    const double N = particles.N(p);
+    const double mass = N * particles.mass[p];
+    values_[0] += N;
+    values_[6] += 1.0;
     values_[1] += 0.5 * mass * particles.v(p).squaredNorm();
     if (particles.angular_velocity != nullptr)
       values_[2] += 0.2 * mass * radius * radius *
@@ -38,7 +40,7 @@ void BedMeasures::add(const ParticleView& particles) {
           "too long for the contacts' stiffness, or two particles were put into one place.",
           p);
     const double bin = std::clamp((top - bottom_) / bin_size_, 0.0, last_bin);
-    values_[scalars_ + static_cast<std::size_t>(bin)] += sphere_volume(radius);
+    values_[scalars_ + static_cast<std::size_t>(bin)] += N * sphere_volume(radius);
   }
 }
 

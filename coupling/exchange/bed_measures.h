@@ -21,7 +21,8 @@ class BedMeasures {
   // Adds the particles of a rank. Without angular velocities their energy of rotation is left out.
   void add(const ParticleView& particles);
 
-  [[nodiscard]] double count() const { return values_[0]; }
+  [[nodiscard]] double count() const { return values_[0]; }    // of particles
+  [[nodiscard]] double parcels() const { return values_[6]; }  // equal to it where there are none
   [[nodiscard]] double translation_energy() const { return values_[1]; }  // sum m v^2 / 2 [J]
   [[nodiscard]] double rotation_energy() const { return values_[2]; }     // sum m r^2 w^2 / 5 [J]
   [[nodiscard]] double kinetic_energy() const { return values_[1] + values_[2]; }
@@ -37,12 +38,12 @@ class BedMeasures {
   [[nodiscard]] std::vector<double>& values() { return values_; }
 
  private:
-  static constexpr int scalars_ = 6;
+  static constexpr int scalars_ = 7;
 
   int axis_;
   double bottom_;
   double bin_size_;
-  std::vector<double> values_;  // count, energies, momentum, then the volume in each bin
+  std::vector<double> values_;  // count, energies, momentum, parcels, then the volume in each bin
 };
 
 }  // namespace gasgrain

@@ -55,7 +55,7 @@ double add_steady(const ParticleView& particles, const ParticleWeights& weights,
     const Vec3 force = Steady::force(gas, at, particles.radius[p]);
     records.steady_force(p) += force;
     if constexpr (Steady::reacts) records.at(p, reaction) += force;
-    magnitude += force.lpNorm<1>();
+    magnitude += particles.N(p) * force.lpNorm<1>();
   });
   return magnitude;
 }
@@ -106,18 +106,23 @@ template <class Law>
 
 void deposit_solid_volume(const ParticleView& particles, const ParticleWeights& weights,
                           Array3<double>& solid_volume) {
-  weights.deposit([&](std::size_t p) { return sphere_volume(particles.radius[p]); }, solid_volume);
+  weights.deposit(
+      [&](std::size_t p) { return particles.N(p) * sphere_volume(particles.radius[p]); },
+      solid_volume);
 }
 
 void deposit_solids(const ParticleView& particles, const ParticleWeights& weights,
                     const Effects& effects, FieldStore& fields) {
   deposit_solid_volume(particles, weights, fields.scalar(GasField::solid_volume));
   if (effects.drag && effects.polydisperse)
-    weights.deposit([&](std::size_t p) { return sphere_surface(particles.radius[p]); },
-                    fields.scalar(GasField::solid_surface));
+    weights.deposit(
+        [&](std::size_t p) { return particles.N(p) * sphere_surface(particles.radius[p]); },
+        fields.scalar(GasField::solid_surface));
   if (effects.drag && effects.by_mean_velocity())
     weights.deposit(
-        [&](std::size_t p) -> Vec3 { return sphere_volume(particles.radius[p]) * particles.v(p); },
+        [&](std::size_t p) -> Vec3 {
+          return particles.N(p) * sphere_volume(particles.radius[p]) * particles.v(p);
+        },
         fields.vector(GasField::solid_flux));
 }
 
@@ -149,9 +154,11 @@ DragRefresh refresh_drag(const ParticleView& particles, const ParticleWeights& w
           double eps = records.K(p);
           if (eps < least_drag_void_fraction - round_off) ++refresh.too_dense;
           refresh.least_void_fraction = std::min(refresh.least_void_fraction, eps);
-          const SelfDisturbance self = effects.ignore_self_disturbance
-                                           ? SelfDisturbance{}
-                                           : self_disturbance(particles, weights, p, eps);
+          // The particles of a parcel are spread over its cells: none of them is alone there.
+          const SelfDisturbance self =
+              effects.ignore_self_disturbance || particles.parcel_size != nullptr
+                  ? SelfDisturbance{}
+                  : self_disturbance(particles, weights, p, eps);
           eps = std::clamp(eps + self.alone * self.own_solids, least_drag_void_fraction, 1.0);
           const auto coefficient = [&](const Vec3& v) __attribute__((always_inline)) {
             const Vec3 slip = records.u(p) - v;
@@ -185,7 +192,9 @@ void deposit_drag(const ParticleView& particles, const ParticleWeights& weights,
   const double owed = by_mean && effects.own_drag() ? 0.0 : 1.0 / interval;
   if (effects.drag)
     weights.deposit(
-        [&](std::size_t p) { return gas_coefficient(records, by_mean, p) * per_volume; },
+        [&](std::size_t p) {
+          return particles.N(p) * gas_coefficient(records, by_mean, p) * per_volume;
+        },
         fields.scalar(GasField::drag_coefficient));
   weights.deposit(
       [&](std::size_t p) -> Vec3 {
@@ -193,7 +202,7 @@ void deposit_drag(const ParticleView& particles, const ParticleWeights& weights,
         if (effects.drag)
           source += gas_coefficient(records, by_mean, p) *
                     gas_counterpart(particles, records, by_mean, p);
-        return source * per_volume;
+        return particles.N(p) * source * per_volume;
       },
       fields.vector(GasField::drag_source));
   for (std::size_t p = 0; p < particles.count; ++p) {
@@ -260,14 +269,14 @@ std::vector<double> set_gas_at_particles(const ParticleView& particles,
                          (records.u(p) - gas_counterpart(particles, records, true, p));
       records.steady_force(p) += force;
       records.at(p, layout.reaction) += force;
-      work[0] += interval * force.lpNorm<1>();
+      work[0] += particles.N(p) * interval * force.lpNorm<1>();
     }
   return work;
 }
 
-Vec3 outstanding_carry(std::size_t count, const ExchangeRecords& records) {
+Vec3 outstanding_carry(const ParticleView& particles, const ExchangeRecords& records) {
   Vec3 sum = Vec3::Zero();
-  for (std::size_t p = 0; p < count; ++p) sum += records.carry(p);
+  for (std::size_t p = 0; p < particles.count; ++p) sum += particles.N(p) * records.carry(p);
   return sum;
 }
 

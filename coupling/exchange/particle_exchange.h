@@ -65,6 +65,6 @@ std::vector<double> set_gas_at_particles(const ParticleView& particles,
                                          std::vector<double>* seconds = nullptr);
 
 // Sum of the particles' carry [N s].
-Vec3 outstanding_carry(std::size_t count, const ExchangeRecords& records);
+Vec3 outstanding_carry(const ParticleView& particles, const ExchangeRecords& records);
 
 }  // namespace gasgrain

@@ -9,7 +9,9 @@
 
 namespace gasgrain {
 
-// The particles that a rank owns, valid until the host re-sorts its atoms.
+// The particles (or parcels of them) that a rank owns, valid until the host re-sorts its atoms.
+// Forces and records are those of one particle; what is deposited or added up counts all of a
+// parcel's.
 struct ParticleView {
   std::size_t count = 0;
   const double* position = nullptr;          // [m], count x 3, row by row
@@ -17,7 +19,12 @@ struct ParticleView {
   const double* angular_velocity = nullptr;  // [rad/s], count x 3; null when no effect needs it
   const double* radius = nullptr;            // [m], count
   const double* mass = nullptr;              // [kg], count
+  // Parcels: how many particles of this radius and mass each entry stands for. Null: one each.
+  const double* parcel_size = nullptr;
 
+  [[nodiscard]] double N(std::size_t p) const {
+    return parcel_size == nullptr ? 1.0 : parcel_size[p];
+  }
   [[nodiscard]] Eigen::Map<const Vec3> x(std::size_t p) const {
     return Eigen::Map<const Vec3>(position + 3 * p);
   }

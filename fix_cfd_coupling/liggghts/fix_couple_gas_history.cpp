@@ -25,9 +25,10 @@ constexpr double bed_height_share = 0.995;
 
 // Columns of history.csv (docs/liggghts.md), in the order of record(); the ledger's
 // and the probes' pressures follow.
-constexpr std::array<const char*, 33> history_columns{"time_s",
+constexpr std::array<const char*, 34> history_columns{"time_s",
                                                       "step",
                                                       "particles",
+                                                      "parcels",
                                                       "bed_height_m",
                                                       "surface_height_m",
                                                       "bubble_diameter_m",
@@ -84,7 +85,7 @@ void FixCoupleGas::record() {
   bed.add(particles());
   local.sum_in_place(bed.values());
   if (bed.count() > 0.0) check_contacts();
-  watch_count(bed.count());
+  watch_count(bed.parcels());
   const double overlap = local.max(deepest.ratio);
   const auto clamps = coupled_->take_clamps();
   const long too_dense = local.sum(clamps.too_dense);
@@ -102,6 +103,7 @@ void FixCoupleGas::record() {
   std::vector<double> line{count(update->ntimestep - start_) * update->dt,
                            count(update->ntimestep),
                            bed.count(),
+                           bed.parcels(),
                            shown_[0],
                            gas.surface_height,
                            gas.bubble_diameter,

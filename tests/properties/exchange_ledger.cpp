@@ -45,11 +45,14 @@ constexpr GasProperties air{1.2, 1.8e-5};
 
 // Couplings of different lengths, DEM steps with ever new particle velocities, particles that come
 // and go. Returns the ledger after `couplings` and as many DEM steps more as asked for.
-Ledger run(const Effects& effects, int couplings, int steps_after_last) {
+Ledger run(const Effects& effects, int couplings, int steps_after_last, bool parcels = false) {
   const BoxGrid grid = uneven_box({true, false, false});
   const TileFrame frame = whole_frame(grid, effects.method);
   Random random(7);
   Cloud cloud = random_cloud(grid, 300, random);
+  if (parcels)
+    for (std::size_t p = 0; p < cloud.radius.size(); ++p)
+      cloud.parcel_size.push_back(random.between(0.5, 1000.0));
   ExchangeRecords records(effects.layout(false));
   records.resize(cloud.radius.size());
   WilfulGas gas(effects, frame, random);
@@ -75,7 +78,7 @@ Ledger run(const Effects& effects, int couplings, int steps_after_last) {
       std::vector<double> torque(cloud.velocity.size(), 0.0);
       forces.apply(cloud.view(), records, {force.data(), torque.data()}, 2e-5, 1.0);
       if (step == 4 && coupling % 3 == 1) {
-        ledger.add_left(records.carry(records.size() - 1));
+        ledger.add_left(cloud.view().N(records.size() - 1) * records.carry(records.size() - 1));
         records.resize(records.size() - 1);
         cloud.remove_last();
       }
@@ -86,7 +89,7 @@ Ledger run(const Effects& effects, int couplings, int steps_after_last) {
     }
   }
   ledger.add_taken(forces.applied());
-  ledger.set_outstanding(outstanding_carry(records.size(), records));
+  ledger.set_outstanding(outstanding_carry(cloud.view(), records));
   return ledger;
 }
 
@@ -129,6 +132,14 @@ TEST(ledger,
      closes_for_the_ways_of_sharing_that_obey_the_third_law_and_shows_the_one_that_does_not) {
   EXPECT_LT(run(every_force("koch_hill", "trilinear", "scheme_2"), 20, 10).residual(), 1e-13);
   EXPECT_GT(run(every_force("koch_hill", "trilinear", "scheme_1"), 20, 10).residual(), 1e-6);
+}
+
+TEST(ledger, closes_for_parcels) {
+  for (const std::string method : {"centre", "trilinear", "kernel"}) {
+    const Ledger ledger = run(every_force("koch_hill", method, "scheme_3"), 20, 10, true);
+    EXPECT_LT(ledger.residual(), 1e-13);
+    EXPECT_GT(ledger.left().norm(), 0.0);
+  }
 }
 
 TEST(ledger, shows_a_particle_that_left_without_its_carry) {

@@ -59,7 +59,7 @@ TEST(drag_stiffness, an_even_cloud_keeps_the_momentum_of_both_and_relaxes_as_the
     for (int n = 1; n <= couplings; ++n) {
       bed.advance();
       const double of_gas = gas_momentum(bed.gas(), scene.input.density)[0];
-      const double owed = outstanding_carry(bed.records().size(), bed.records())[0];
+      const double owed = outstanding_carry(bed.cloud.view(), bed.records())[0];
       // An impulse of K T u is known to the tolerance of u: a L of the gas's own momentum.
       ASSERT_NEAR(of_gas + bed.grain_momentum()[0] - owed, before,
                   (1e-10 + 1e-11 * a * L) * before * n)

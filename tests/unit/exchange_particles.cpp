@@ -228,6 +228,63 @@ TEST(particle_weights, refuse_a_field_of_another_box) {
   EXPECT_THROW(deposit_solids(bed.cloud.view(), weights, Effects{}, other), Error);
 }
 
+TEST(particle_exchange, of_a_parcel_is_that_of_its_particles) {
+  const Effects effects = parse_effects({"drag", "koch_hill", "void_fraction", "trilinear",
+                                         "self_disturbance", "ignored", "pressure_gradient"},
+                                        "test");
+  Bed parcels, copies;
+  copies.velocity = parcels.velocity;
+  parcels.cloud.parcel_size.assign(parcels.cloud.radius.size(), 3.0);
+  const Cloud once = copies.cloud = parcels.cloud;
+  copies.cloud.parcel_size.clear();
+  for (int copy = 1; copy < 3; ++copy)
+    for (std::size_t p = 0; p < once.radius.size(); ++p)
+      copies.cloud.add(once.view().x(p), once.view().v(p), once.radius[p], once.mass[p]);
+
+  const auto deposited = [&](const Cloud& cloud, ExchangeRecords records) {
+    ParticleWeights weights;
+    weights.find(cloud.view(), effects.method, parcels.frame);
+    FieldStore fields(effects.taken(), parcels.frame.tile);
+    deposit_solids(cloud.view(), weights, effects, fields);
+    deposit_drag(cloud.view(), weights, effects, 1.0, 1e-4, fields, records);
+    return fields;
+  };
+  parcels.pressure_gradient = copies.pressure_gradient = Vec3(10.0, -20.0, 30.0);
+  ExchangeRecords of_parcels = parcels.couple(effects);
+  ExchangeRecords of_copies = copies.couple(effects);
+  const auto force = parcels.apply(effects, of_parcels, 1.0);
+  const auto force_of_copies = copies.apply(effects, of_copies, 1.0);
+  // Of one particle: the same.
+  for (std::size_t n = 0; n < force.size(); ++n) EXPECT_EQ(force[n], force_of_copies[n]);
+  // Of all: the sums differ in their order only.
+  const auto near = [](double a, double b, double scale) { EXPECT_NEAR(a, b, 1e-12 * scale); };
+  for (int d = 0; d < 3; ++d) {
+    near(parcels.applied.reacting[d], copies.applied.reacting[d], copies.applied.exchanged);
+    near(parcels.applied.free[d], copies.applied.free[d], copies.applied.free.norm());
+    near(parcels.applied.host[d], copies.applied.host[d], copies.applied.host.norm());
+  }
+  near(parcels.applied.exchanged, copies.applied.exchanged, copies.applied.exchanged);
+  FieldStore a = deposited(parcels.cloud, of_parcels);
+  FieldStore b = deposited(copies.cloud, of_copies);
+  const auto fields_a = a.components(effects.taken());
+  const auto fields_b = b.components(effects.taken());
+  for (std::size_t f = 0; f < fields_a.size(); ++f) {
+    double scale = 0.0;
+    for (const double value : *fields_b[f]) scale = std::max(scale, std::abs(value));
+    EXPECT_GT(scale, 0.0);
+    for (std::size_t n = 0; n < fields_a[f]->size(); ++n)
+      near((*fields_a[f])[n], (*fields_b[f])[n], scale);
+  }
+  BedMeasures all(2, 0.0, 1.0), each(2, 0.0, 1.0);
+  all.add(parcels.cloud.view());
+  each.add(copies.cloud.view());
+  EXPECT_EQ(all.count(), each.count());
+  EXPECT_EQ(all.parcels(), static_cast<double>(once.radius.size()));
+  EXPECT_EQ(each.parcels(), each.count());
+  near(all.kinetic_energy(), each.kinetic_energy(), each.kinetic_energy());
+  near(all.solid_volume(), each.solid_volume(), each.solid_volume());
+}
+
 TEST(bed_measures, find_the_height_of_a_column_within_a_bin) {
   Cloud cloud;
   const double r = 1e-3;
