@@ -55,15 +55,41 @@ class CollisionalExchange {
   [[nodiscard]] const ExchangeCells& cells() const { return cells_; }
 
  private:
+  // What the particles of a cell keep and gain in this step.
+  struct CellRelaxation {
+    double velocity[3] = {0.0, 0.0, 0.0};  // u_eq [m/s]
+    double velocity_kept = 1.0;
+    double film_kept = 1.0;
+    double enthalpy_gain = 0.0;     // for each kg of solid [J/kg]
+    double film_temperature = 0.0;  // T_f,eq [K]
+  };
+
+  [[nodiscard]] std::size_t species() const { return settings_.species.size(); }
+  [[nodiscard]] double film_of(const ExchangeView& view, std::size_t p) const;
+  [[nodiscard]] double inertia_of(const ExchangeView& view, std::size_t p) const;  // M_p
+
+  void check_fits(const ExchangeView& view) const;
   void make_room(const IndexBox& tile);
   void deposit(const ExchangeView& view);
-  void find_equilibrium(double cell_volume);
+  void find_equilibrium(const ExchangeView& view, double cell_volume);
   void deposit_fluctuations(const ExchangeView& view);
-  void find_relaxations(double dt);
+  void find_relaxations(const ExchangeView& view, double dt);
   void relax(const ExchangeView& view);
+  void relax_film(const ExchangeView& view, std::size_t p, double n, const CellRelaxation& cell);
 
   ExchangeSettings settings_;
+  std::vector<double> densities_;  // of the species [kg/m3]
   ExchangeCells cells_;
+  ExchangeReport report_;
+
+  std::vector<Array3<double>*> sums_;  // all that is added up over the ranks at first
+  std::vector<Array3<double>*> fluctuations_;
+  Array3<double> surface_;      // sum N_p V_p^(2/3) [m2]
+  Array3<double> enthalpy_;     // sum N_p sum M_f,i h_i [J]
+  Array3<double> fluctuation_;  // sum N_p M_p (u - u_eq)^2 [J]
+  std::vector<std::uint32_t> own_parcels_;
+  std::vector<CellRelaxation> relaxations_;
+  std::vector<double> film_gains_;  // for each kg of solid, cells x species
 };
 
 }  // namespace gasgrain
