@@ -46,10 +46,14 @@ double temperature_of(const std::vector<LiquidSpecies>& species, const Mass& mas
     double slope = 0.0;
     for (std::size_t i = 0; i < species.size(); ++i)
       slope += mass(i) * species[i].enthalpy.specific_heat(T);
-    double next = T - excess / slope;
-    if (!(next > low && next < high)) next = 0.5 * (low + high);
-    if (std::abs(next - T) <= 2.0 * std::numeric_limits<double>::epsilon() * T) return next;
-    T = next;
+    const double next = T - excess / slope;
+    const double last_digits = 4.0 * std::numeric_limits<double>::epsilon() * T;
+    if (std::abs(next - T) <= last_digits || high - low <= last_digits)
+      return std::clamp(next, low, high);
+    if (next > low && next < high)
+      T = next;
+    else
+      T = 0.5 * (low + high);
   }
   return T;
 }
