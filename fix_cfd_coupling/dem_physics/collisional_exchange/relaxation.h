@@ -9,8 +9,10 @@
 // Two choices. `mean`, as printed: kept = 1 - psi_t, velocity_kept = psi_n. It keeps the means of
 // the provisional distribution (50), and the widths u'_rms and sigma_M then decay at the rates that
 // (33) and (35) state of their squares: the squares decay twice as fast. `variance`: the square
-// roots of both. Then sigma_M^2 is that of (50), and so is k wherever M_p does not change; as
-// dt -> 0 (35) holds, and (33) when the liquid of a particle is not correlated with its speed.
+// roots of both. Then sigma_M^2 is that of (50) and decays as (35) says when dt -> 0; so does k as
+// (33) says where M_p does not change (dry, or films without inertia). Where liquid moves,
+// M_p (u - u_eq) of all particles decays at one rate, and k has the further factor
+// sum (M_p u')_0^2 / M_p(t) over its value at first, with either choice: at most the spread of M_p.
 //
 // Both conserve what (50) conserves, since sums of M_f,i - lambda_i M_s, of H - H_eq and of
 // M_p (u - u_eq) over a cell are 0. Both are bounded: 0 <= kept <= 1, and M_p' >= kept M_p gives
