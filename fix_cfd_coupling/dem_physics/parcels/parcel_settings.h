@@ -5,8 +5,9 @@
 //                           between loose, 0.56, and dense, 0.64)
 //   stress PS BETA EPS | off    constant [Pa], exponent and epsilon of the particle stress (default
 //                           100 3 1e-7: the values that MFiX-PIC starts from; particle_stress.h)
-//   restitution E           of the limiter of the stress (default 0: the stress stops what comes
-//                           together and throws nothing back, so that beds come to rest)
+//   restitution E           of the limiter of the stress, 0 to 1 (default 0.4, as in MFiX 17: cells
+//                           that were pressed beyond close packing open again; at 0 they stay so,
+//                           and the motion has to hold them every step, at three times the cost)
 //   walls SIDE...           sides of the box that are walls: x_lo x_hi y_lo y_hi z_lo z_hi
 //                           (default none: all open)
 //   retention EN ET         share of the normal and tangential velocity kept at a wall (default 0.3
@@ -36,7 +37,7 @@ struct ParcelSettings {
   double stress_constant = 100.0;  // [Pa]
   double stress_exponent = 3.0;
   double stress_epsilon = 1e-7;
-  double restitution = 0.0;
+  double restitution = 0.4;
   Walls walls;
   bool damping = false;
   double damping_restitution = 0.9;

@@ -54,7 +54,8 @@ class ParticleStress {
   explicit ParticleStress(const ParcelSettings& settings);
 
   // Adds the force on ONE particle [N] to `force` (count x 3), which holds all other forces of the
-  // step but drag. The tile holds the trilinear stencils of all parcels. Collective.
+  // step but drag. The tile holds the trilinear stencils of all parcels, and the first
+  // two layers of cells along a wall where it holds the first. Collective.
   StressReport add_forces(const ParcelView& parcels, const TileFrame& frame, double dt,
                           double* force, const SumOverRanks& sum);
 
