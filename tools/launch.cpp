@@ -38,7 +38,7 @@ Command launch_command(const RunOptions& options, const Programs& programs,
 
   if (!gas) return command;
   words.insert(words.end(), {":", "-np", std::to_string(options.gas_ranks), programs.gas});
-  words.insert(words.end(), {"gas.toml", "--out", results});
+  words.insert(words.end(), {options.gas_input, "--out", results});
   if (restart_step)
     words.insert(words.end(), {"--restart", gas_checkpoint(results, *restart_step)});
   return command;
@@ -50,6 +50,8 @@ std::string restart_line(const RunOptions& options) {
     line += fmt::format(" --dem-ranks {}", options.dem_ranks);
   if (options.gas_ranks != RunOptions{}.gas_ranks)
     line += fmt::format(" --gas-ranks {}", options.gas_ranks);
+  if (options.gas_input != RunOptions{}.gas_input)
+    line += fmt::format(" --gas {}", options.gas_input);
   if (options.time_s) line += fmt::format(" --time {}", *options.time_s);
   if (!options.out.empty()) line += fmt::format(" --out {}", options.out.string());
   for (const auto& [name, value] : options.variables)

@@ -47,6 +47,10 @@ void add_run(CLI::App& app, gasgrain::RunOptions& options) {
   run->add_option("--time", options.time_s, "Simulated time [s] instead of the scene's own")
       ->check(CLI::PositiveNumber);
   run->add_option("--out", options.out, "Results folder (default: results/<scene name>)");
+  run->add_option("--gas", options.gas_input,
+                  "Another input of the gas in the scene's folder, as of a finer grid")
+      ->type_name("FILE")
+      ->capture_default_str();
   run->add_flag("--restart", options.restart, "Go on from the newest checkpoint in the folder");
   run->add_flag("--no-plots", options.no_plots, "Leave out history.png and bed.png");
   run->add_option("--var", options.variables, "NAME VALUE: a variable of in.liggghts; repeatable")

@@ -15,8 +15,9 @@ struct RunOptions {
   int gas_ranks = 1;
   bool dem_ranks_given = false;  // by the user; a scene of grains alone else has one
   bool gas_ranks_given = false;
-  std::optional<double> time_s;  // simulated time; the scene's own when absent
-  std::filesystem::path out;     // empty: results/<scene name>
+  std::optional<double> time_s;        // simulated time; the scene's own when absent
+  std::filesystem::path out;           // empty: results/<scene name>
+  std::string gas_input = "gas.toml";  // in the scene's folder
   bool restart = false;
   bool no_plots = false;
   std::vector<std::pair<std::string, std::string>> variables;  // handed to the DEM script

@@ -71,14 +71,14 @@ void check_script(const fs::path& scene, std::vector<std::string>& faults) {
 
 void check_gas(const RunOptions& options, const Programs& programs,
                std::vector<std::string>& faults) {
-  const fs::path input = options.scene / "gas.toml";
+  const fs::path input = options.scene / options.gas_input;
   if (!fs::is_regular_file(input)) {
     faults.push_back(fmt::format("{} is absent: it is the gas side of the scene.", input.string()));
     return;
   }
   if (!is_executable(programs.gas)) return;
   const Command check{
-      {programs.gas, "--check", "gas.toml", "--ranks", std::to_string(options.gas_ranks)},
+      {programs.gas, "--check", options.gas_input, "--ranks", std::to_string(options.gas_ranks)},
       options.scene,
       {{"OMPI_MCA_btl_vader_single_copy_mechanism", "none"}}};
   const Captured answer = run_captured(check, check_limit);
