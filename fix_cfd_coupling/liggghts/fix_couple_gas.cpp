@@ -7,6 +7,7 @@
 
 #include "coupling/base/error.h"
 #include "coupling/transport/inner_gas.h"
+#include "fix_cfd_coupling/liggghts/fix_parcels.h"
 #include "fix_cfd_coupling/liggghts/host_error.h"
 #include "fix_cfd_coupling/liggghts/host_session.h"
 // --
@@ -183,6 +184,7 @@ void FixCoupleGas::init() {
   if (atom->radius_flag == 0 || atom->rmass_flag == 0)
     gasgrain::stop_everything("couple/gas needs spheres: 'atom_style granular' (or sphere).");
   contacts_checked_ = false;
+  parcels_ = FixParcels::of_scene(lmp);
 }
 
 gasgrain::ParticleView FixCoupleGas::particles() const {
@@ -194,6 +196,7 @@ gasgrain::ParticleView FixCoupleGas::particles() const {
   view.angular_velocity = atom->omega != nullptr ? atom->omega[0] : nullptr;
   view.radius = atom->radius;
   view.mass = atom->rmass;
+  if (parcels_ != nullptr) view.parcel_size = parcels_->sizes();
   return view;
 }
 

@@ -32,6 +32,8 @@
 
 namespace LAMMPS_NS {
 
+class FixParcels;
+
 class FixCoupleGas : public Fix {
  public:
   FixCoupleGas(LAMMPS* host, int narg, char** arg);
@@ -61,6 +63,9 @@ class FixCoupleGas : public Fix {
 
   double compute_vector(int n) override;
   double memory_usage() override;
+
+  // Of the gas.
+  [[nodiscard]] const gasgrain::BoxGrid& grid() const { return coupled_->grid(); }
 
  private:
   // What a restart file holds beside the records of the particles; the ledger's sums follow it.
@@ -128,6 +133,7 @@ class FixCoupleGas : public Fix {
   gasgrain::Effects effects_;
 
   // Of the run
+  const FixParcels* parcels_ = nullptr;  // what each of the host's atoms stands for; null: a grain
   std::unique_ptr<gasgrain::CoupledStep> coupled_;
   std::unique_ptr<gasgrain::HistoryFile> history_;
   gasgrain::Audit audit_;

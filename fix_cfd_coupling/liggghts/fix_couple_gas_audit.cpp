@@ -1,4 +1,6 @@
 // How fix couple/gas keeps the audit of its run (coupling/audit.h).
+#include <algorithm>
+
 #include "coupling/audit_report.h"
 #include "fix_cfd_coupling/liggghts/fix_couple_gas.h"
 #include "fix_cfd_coupling/liggghts/host_session.h"
@@ -28,7 +30,12 @@ gasgrain::AuditSetting FixCoupleGas::audit_setting() const {
   return {coupled_->properties(), gravity_of(*modify), every_ * update->dt, overlapped_};
 }
 
+// A look costs a tenth of a coupling: where that is every few DEM steps, one in `steps_a_look`
+// does.
 void FixCoupleGas::look_for_audit() {
+  constexpr long steps_a_look = 10;
+  const long couplings_a_look = std::max(1L, steps_a_look / every_);
+  if ((interval_watch_.couplings - 1) % couplings_a_look != 0) return;
   const gasgrain::Stopwatch watch(coupled_->costs(), coupled_->costs().task("coupling: audit"));
   audit_.look(particles(), records_, coupled_->fields(), coupled_->frame(), audit_setting());
 }

@@ -19,8 +19,13 @@ struct FixTask {
   const char* style;  // how it begins
   const char* task;
 };
-constexpr FixTask fix_tasks[] = {
-    {"wall/", "walls"}, {"mesh/", "walls"}, {"nve", "integration"}, {"insert/", "insertion"}};
+constexpr FixTask fix_tasks[] = {{"wall/", "walls"},
+                                 {"mesh/", "walls"},
+                                 {"nve", "integration"},
+                                 {"insert/", "insertion"},
+                                 {"parcels/inject", "insertion"},
+                                 {"parcels", "parcels"},
+                                 {"collisional_exchange", "collisional exchange"}};
 constexpr const char* other_fixes = "other fixes";
 
 const char* task_of(const char* style) {

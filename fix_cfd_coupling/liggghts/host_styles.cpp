@@ -6,8 +6,11 @@
 #include <dlfcn.h>
 
 #include "fix_cfd_coupling/liggghts/contact_styles.h"
+#include "fix_cfd_coupling/liggghts/fix_collisional_exchange.h"
 #include "fix_cfd_coupling/liggghts/fix_couple_gas.h"
 #include "fix_cfd_coupling/liggghts/fix_liquid.h"
+#include "fix_cfd_coupling/liggghts/fix_parcels.h"
+#include "fix_cfd_coupling/liggghts/fix_parcels_inject.h"
 #include "fix_cfd_coupling/liggghts/host_access.h"
 #include "fix_cfd_coupling/liggghts/host_error.h"
 
@@ -22,6 +25,9 @@ void register_styles(LAMMPS_NS::LAMMPS& host) {
   gasgrain::register_contact_styles();
   gasgrain::fix_map(host)["couple/gas"] = &make_fix<LAMMPS_NS::FixCoupleGas>;
   gasgrain::fix_map(host)["liquid"] = &make_fix<LAMMPS_NS::FixLiquid>;
+  gasgrain::fix_map(host)["parcels"] = &make_fix<LAMMPS_NS::FixParcels>;
+  gasgrain::fix_map(host)["parcels/inject"] = &make_fix<LAMMPS_NS::FixParcelsInject>;
+  gasgrain::fix_map(host)["collisional_exchange"] = &make_fix<LAMMPS_NS::FixCollisionalExchange>;
 }
 
 }  // namespace
