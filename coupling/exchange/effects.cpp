@@ -18,6 +18,8 @@ const std::string method_word = "void_fraction";
 const std::string sharing_word = "momentum_sharing";
 const std::string polydisperse_word = "polydisperse";
 const std::string self_word = "self_disturbance";
+const std::string factor_word = "drag_factor";
+const ForceParameter factor{"drag_factor", 1, "1", 1e-3, 1e3};
 
 // Whether the gas velocity that a particle sees is corrected for what the particle did to it.
 struct SelfUndone {
@@ -45,6 +47,8 @@ class EffectsParser {
             word, [&](const MomentumSharing& sharing) { effects_.sharing = sharing; });
       else if (word == polydisperse_word)
         effects_.polydisperse = is_new(word);
+      else if (word == factor_word)
+        read_factor(word);
       else if (word == self_word)
         read_choice<SelfChoice>(word, [&](const SelfChoice& choice) {
           effects_.ignore_self_disturbance = std::holds_alternative<SelfIgnored>(choice);
@@ -53,7 +57,7 @@ class EffectsParser {
         read_force(word);
     }
     if (!effects_.drag)
-      for (const std::string& word : {polydisperse_word, sharing_word, self_word})
+      for (const std::string& word : {polydisperse_word, sharing_word, self_word, factor_word})
         if (std::find(seen_.begin(), seen_.end(), word) != seen_.end())
           fault("\"{}\" changes drag, and there is none. Add \"drag NAME\", or remove it.", word);
     if (!faults_.empty()) throw Error(fmt::format("{}", fmt::join(faults_, "\n")));
@@ -89,6 +93,10 @@ class EffectsParser {
           named);
       if (is_new(word)) effects_.forces.push_back(named);
     }
+  }
+
+  void read_factor(const std::string& word) {
+    if (is_new(word)) read_number("the word", factor, effects_.drag_factor);
   }
 
   // Pairs of a parameter's name and its numbers, in any order, up to a word that is no parameter.
@@ -232,6 +240,7 @@ RecordLayout Effects::layout(bool overlapped) const {
 std::string Effects::text() const {
   std::string words = method_word + " " + NamedMethod{method, choose_method}.text();
   if (drag) words += fmt::format(" {} {}", drag_word, name_of(*drag));
+  if (drag && drag_factor != 1.0) words += fmt::format(" {} {}", factor_word, drag_factor);
   if (drag && polydisperse) words += " " + polydisperse_word;
   if (drag && by_mean_velocity()) words += fmt::format(" {} {}", sharing_word, name_of(sharing));
   if (drag && ignore_self_disturbance) words += fmt::format(" {} {}", self_word, SelfIgnored::name);
@@ -254,7 +263,8 @@ std::string Effects::text() const {
 
 std::vector<std::string> effect_words() {
   std::vector<std::string> words = choice_names<Force>();
-  words.insert(words.begin(), {drag_word, method_word, sharing_word, self_word, polydisperse_word});
+  words.insert(words.begin(),
+               {drag_word, method_word, sharing_word, self_word, polydisperse_word, factor_word});
   return words;
 }
 

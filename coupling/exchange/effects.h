@@ -25,6 +25,7 @@ struct Effects {
   VoidFractionMethod method = VoidFractionTrilinear{};
   bool choose_method = true;  // the method is to be chosen; until then `method` stands in
   std::optional<DragModel> drag;
+  double drag_factor = 1.0;   // on the law's K: of grains that go in clusters, below 1
   bool polydisperse = false;  // the drag law is corrected for a mixture of sizes
   MomentumSharing sharing;
   bool ignore_self_disturbance = false;  // `self_disturbance ignored`: what it costs and changes

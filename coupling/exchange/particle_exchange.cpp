@@ -165,9 +165,10 @@ DragRefresh refresh_drag(const ParticleView& particles, const ParticleWeights& w
             const auto by_law = [&](double growth) {
               const double d = 2.0 * particles.radius[p];
               const double speed = growth * slip.norm();
-              const double K = effects.polydisperse ? polydisperse_coefficient<Law>(
-                                                          gas, eps, speed, d, sauter_diameter[p])
-                                                    : Law::coefficient(gas, eps, speed, d);
+              const double K = effects.drag_factor *
+                               (effects.polydisperse ? polydisperse_coefficient<Law>(
+                                                           gas, eps, speed, d, sauter_diameter[p])
+                                                     : Law::coefficient(gas, eps, speed, d));
               return gas.whole_pressure_gradient ? K / eps : K;
             };
             if (self.alone == 0.0) return by_law(1.0);

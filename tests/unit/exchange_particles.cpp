@@ -228,6 +228,21 @@ TEST(particle_weights, refuse_a_field_of_another_box) {
   EXPECT_THROW(deposit_solids(bed.cloud.view(), weights, Effects{}, other), Error);
 }
 
+TEST(particle_exchange, a_factor_on_drag_multiplies_its_coefficient) {
+  Bed bed;
+  const auto coefficient = [&](const std::vector<std::string>& words) {
+    ExchangeRecords records = bed.couple(parse_effects(words, "test"));
+    return records.K(7);
+  };
+  const double whole = coefficient({"drag", "koch_hill", "self_disturbance", "ignored"});
+  EXPECT_DOUBLE_EQ(
+      coefficient({"drag", "koch_hill", "drag_factor", "0.4", "self_disturbance", "ignored"}),
+      0.4 * whole);
+  EXPECT_THROW(coefficient({"drag", "koch_hill", "drag_factor", "-1"}), Error);
+  EXPECT_THROW(coefficient({"drag", "koch_hill", "drag_factor"}), Error);
+  EXPECT_THROW(coefficient({"drag_factor", "0.5"}), Error);
+}
+
 TEST(particle_exchange, of_a_parcel_is_that_of_its_particles) {
   const Effects effects = parse_effects({"drag", "koch_hill", "void_fraction", "trilinear",
                                          "self_disturbance", "ignored", "pressure_gradient"},
