@@ -4,6 +4,7 @@
 
 #include "coupling/base/error.h"
 #include "tools/advise_command.h"
+#include "tools/analyse/analyse_command.h"
 #include "tools/calibrate/calibrate_command.h"
 #include "tools/run_command.h"
 #include "tools/study/study_command.h"
@@ -194,6 +195,56 @@ void add_calibrate(CLI::App& app, gasgrain::CalibrateOptions& options) {
   calibrate->footer(calibrate_examples);
 }
 
+constexpr const char* analyse_examples = R"(Examples:
+  gasgrain analyse results/big_sphere_in_stream
+      force on the big sphere, Syamlal's drag in four cubes about it, and the factor between them
+  gasgrain analyse results/big_sphere_in_stream --sizes 1.25 --window 5e-3 --steady 0.05 0.1
+      one cube of 1.25 (d_s + d_b), longer windows, means of a period of one's own
+  gasgrain analyse results/mixture --big above=0.002 --timestep 1e-5 --restitution 0.9
+      --friction 0.3 --density 2500
+      any run with text or VTK dumps: grains above 2 mm are the big ones
+
+Of the dumps it reads id x y z vx vy vz radius, type where that chooses, and the force: the columns
+f_mean[1] f_mean[2] f_mean[3] (means over all steps, by 'fix mean big ave/atom'), else fx fy fz.)";
+
+void add_analyse(CLI::App& app, gasgrain::AnalyseOptions& options) {
+  CLI::App* analyse =
+      app.add_subcommand("analyse", "Drag between big and small grains, from the dumps of a run");
+  analyse->add_option("RESULTS", options.results, "Folder of a run, or a file of its dumps")
+      ->required();
+  analyse->add_option("--dump", options.dump,
+                      "Which dumps of RESULTS/particles: \"grains.*.dump\"");
+  analyse
+      ->add_option("--big", options.big,
+                   "The big grains: largest, type=2, id=1,7 or above=0.002 (diameter, m)")
+      ->capture_default_str();
+  analyse->add_option("--force", options.force, "Columns of the force: f_NAME of a fix, or f");
+  analyse->add_option("--window", options.window_s, "Time of a window [s]")->capture_default_str();
+  analyse
+      ->add_option("--sizes", options.sizes,
+                   "Sides of the cubes about a big grain, in the two diameters' sum")
+      ->capture_default_str();
+  analyse
+      ->add_option("--steady", options.steady_s,
+                   "From and to [s]: what the means are of (default: the middle half of the "
+                   "encounter)")
+      ->expected(2);
+  analyse->add_option("--timestep", options.timestep_s, "DEM step [s]");
+  analyse->add_option("--restitution", options.restitution, "Of small on big");
+  analyse->add_option("--friction", options.friction, "Of small on big");
+  analyse->add_option("--density", options.density, "Of the grains [kg/m3]");
+  analyse->add_option("--density-big", options.density_big, "Of the big ones, where it is another");
+  analyse->add_option("--out", options.out, "Folder (default: that of RESULTS)");
+  analyse->add_flag("--no-plots", options.no_plots, "Leave out solid_drag.png");
+  analyse->allow_extras();  // which analyse() tells with its other faults
+  analyse->parse_complete_callback([&options, analyse] {
+    options.unexpected = analyse->remaining();
+    for (const CLI::Option* option : analyse->get_options())
+      for (const auto& name : option->get_lnames()) options.known.push_back("--" + name);
+  });
+  analyse->footer(analyse_examples);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -210,8 +261,11 @@ int main(int argc, char** argv) {
     add_study(app, study_options);
     gasgrain::CalibrateOptions calibrate_options;
     add_calibrate(app, calibrate_options);
+    gasgrain::AnalyseOptions analyse_options;
+    add_analyse(app, analyse_options);
     CLI11_PARSE(app, argc, argv);
     if (app.got_subcommand("calibrate")) return gasgrain::calibrate(calibrate_options);
+    if (app.got_subcommand("analyse")) return gasgrain::analyse(analyse_options);
     if (app.got_subcommand("advise")) return gasgrain::advise(advise_options);
     return app.got_subcommand("study") ? gasgrain::study(study_options)
                                        : gasgrain::run(run_options);

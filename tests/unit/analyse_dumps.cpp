@@ -1,0 +1,250 @@
+// `gasgrain analyse` of dumps whose drag is known.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <iterator>
+#include <sstream>
+
+#include "tests/unit/analyse_cases.h"
+#include "tools/analyse/drag_rates.h"
+#include "tools/analyse/steady_drag.h"
+#include "tools/measure/series.h"
+
+namespace gasgrain {
+namespace {
+
+// A column of a table of the analysis.
+std::vector<double> column(const fs::path& folder, const char* file, const char* name) {
+  return read_columns(folder / file, {name}).front();
+}
+
+std::vector<double> windows(const fs::path& folder, const char* name) {
+  return column(folder, "solid_drag_windows.csv", name);
+}
+
+constexpr double digits = 1e-5;  // of a table: six
+
+double side_of(double size) {
+  return size * (big_diameter + small_diameter);
+}
+
+TEST(ControlVolume, counts_a_cut_sphere_by_its_share) {
+  MovingGrain grain;
+  grain.radius = 0.5;
+  const double whole = pi / 6.0;
+  constexpr double exact = 1e-14;
+  EXPECT_NEAR(volume_within(grain, Vec3::Zero(), 1.0), whole, exact);
+  EXPECT_NEAR(volume_within(grain, Vec3(2.0, 0.0, 0.0), 4.0), 0.5 * whole, exact);
+  EXPECT_NEAR(volume_within(grain, Vec3(-2.0, 2.0, 0.0), 4.0), 0.25 * whole, exact);
+  EXPECT_NEAR(volume_within(grain, Vec3(2.0, 2.0, -2.0), 4.0), 0.125 * whole, exact);
+  EXPECT_EQ(volume_within(grain, Vec3(0.0, 0.0, 1.51), 2.0), 0.0);
+  EXPECT_NEAR(volume_within(grain, Vec3::Zero(), 0.2), 0.008, exact);  // the cube within the sphere
+}
+
+TEST(ControlVolume, has_the_mean_velocity_by_volume) {
+  MovingGrain cut;
+  cut.radius = 0.5;
+  cut.velocity = Vec3(1.0, 0.0, 0.0);
+  MovingGrain whole = cut;
+  whole.position = Vec3(2.0, 0.0, 0.0);
+  whole.velocity = Vec3(0.0, 3.0, 0.0);
+  const PhaseContent content = content_of({cut, whole}, Vec3(2.0, 0.0, 0.0), 4.0);
+  EXPECT_NEAR(content.volume, 1.5 * pi / 6.0, 1e-14);
+  EXPECT_LT((content.velocity() - Vec3(1.0 / 3.0, 2.0, 0.0)).norm(), 1e-14);
+}
+
+TEST(Analysis, of_known_dumps_has_their_means_rates_and_factor) {
+  const fs::path folder = known_results("known");
+  auto options = options_for(folder);
+  options.sizes = {1.0, 2.0};
+  ASSERT_EQ(analyse(options), 0);
+  const double small_volume = 8.0 * pi / 6.0 * std::pow(small_diameter, 3);
+  const double big_volume = pi / 6.0 * std::pow(big_diameter, 3);
+  const auto times = windows(folder, "time_s");
+  const auto dem = windows(folder, "dem_z_N_m3");
+  const auto alpha_s = windows(folder, "alpha_s");
+  const auto alpha_b = windows(folder, "alpha_b");
+  const auto syamlal = windows(folder, "syamlal_z_N_m3");
+  const auto omega = windows(folder, "omega");
+  ASSERT_EQ(times.size(), 4U);  // two windows of two cubes
+  for (std::size_t n = 0; n < 4; ++n) {
+    const double volume = std::pow(side_of(n < 2 ? 1.0 : 2.0), 3);
+    const double mean_force = n % 2 == 0 ? 2e-3 : 6e-3;  // (1 + 3) / 2, (5 + 7) / 2 mN
+    EXPECT_NEAR(times[n], n % 2 == 0 ? 2e-3 : 4e-3, digits * 4e-3);
+    EXPECT_NEAR(alpha_s[n], small_volume / volume, digits * alpha_s[n]);
+    EXPECT_NEAR(alpha_b[n], big_volume / volume, digits * alpha_b[n]);
+    // The small ones push the big one down: what they gain points up.
+    EXPECT_NEAR(dem[n], mean_force / volume, digits * dem[n]);
+    const SolidPhase s{small_volume / volume, 2000.0, small_diameter, Vec3(0.0, 0.0, -small_speed)};
+    const SolidPhase b{big_volume / volume, 2000.0, big_diameter, Vec3::Zero()};
+    const double expected = syamlal_drag(s, b, 0.9, 0.2).z();
+    EXPECT_GT(expected, 0.0);
+    EXPECT_NEAR(syamlal[n], expected, digits * expected);
+    EXPECT_NEAR(omega[n], mean_force / volume / expected, digits * omega[n]);
+  }
+  options.steady_s = {0.0, 4e-3};
+  analyse(options);
+  EXPECT_NEAR(column(folder, "solid_drag.csv", "dem_N_m3")[0], 4e-3 / std::pow(side_of(1.0), 3),
+              digits * 4e-3 / std::pow(side_of(1.0), 3));
+  EXPECT_EQ(column(folder, "solid_drag.csv", "windows")[0], 2.0);
+}
+
+// Values of a field of a VTK file, as LIGGGHTS writes them in text or (big-endian) binary.
+std::string values_of(const std::vector<std::vector<std::string>>& rows, std::size_t from,
+                      std::size_t to, bool binary) {
+  std::string text;
+  for (const auto& row : rows)
+    for (std::size_t n = from; n < to; ++n) {
+      if (!binary) {
+        text += row[n] + " ";
+        continue;
+      }
+      const double value = std::stod(row[n]);
+      char bytes[sizeof value];
+      std::memcpy(bytes, &value, sizeof value);
+      std::reverse(bytes, bytes + sizeof value);
+      text.append(bytes, sizeof value);
+    }
+  return text + "\n";
+}
+
+std::string vtk_frame(const std::vector<std::string>& grains, bool binary) {
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& grain : grains) {
+    std::istringstream words(grain);
+    rows.emplace_back(std::istream_iterator<std::string>(words),
+                      std::istream_iterator<std::string>());
+  }
+  const std::string corners = values_of(rows, 0, 1, binary);
+  return std::string("# vtk DataFile Version 5.1\nGenerated by LIGGGHTS\n") +
+         (binary ? "BINARY" : "ASCII") + "\nDATASET POLYDATA\nPOINTS 9 double\n" +
+         values_of(rows, 2, 5, binary) + "VERTICES 9 9\nOFFSETS double\n" + corners +
+         "CONNECTIVITY double\n" + corners + "POINT_DATA 9\nFIELD FieldData 5\nid 1 9 double\n" +
+         values_of(rows, 0, 1, binary) + "v 3 9 double\n" + values_of(rows, 5, 8, binary) +
+         "radius 1 9 double\n" + values_of(rows, 8, 9, binary) + "f_mean[1-3] 3 9 double\n" +
+         values_of(rows, 9, 12, binary);
+}
+
+TEST(Analysis, is_the_same_of_a_file_a_frame_and_of_vtk) {
+  const fs::path folder = known_results("one_file");
+  analyse(options_for(folder));
+  const auto expected = windows(folder, "omega");
+  for (const char* kind : {"text", "ascii", "binary"}) {
+    const fs::path other = fresh_results(kind);
+    write_facts(other);
+    const bool text = kind == std::string("text");
+    for (long n = 0; n < 6; ++n) {
+      const auto grains = grains_of(-forces[n]);
+      write_text(
+          other / fmt::format("particles/p_{}.{}", 100 * n, text ? "dump" : "vtk"),
+          text ? text_frame(100 * n, grains) : vtk_frame(grains, kind == std::string("binary")));
+      write_text(other / fmt::format("particles/p_boundingBox_{}.vtk", 100 * n), "no grains");
+    }
+    analyse(options_for(other));
+    const auto omega = windows(other, "omega");
+    ASSERT_EQ(omega.size(), expected.size());
+    for (std::size_t n = 0; n < omega.size(); ++n)
+      EXPECT_NEAR(omega[n], expected[n], digits * expected[n]) << kind;
+  }
+}
+
+TEST(Analysis, waits_for_grains_that_are_inserted_later) {
+  const fs::path folder = fresh_results("later");
+  write_facts(folder);
+  const std::string nothing =
+      "# vtk DataFile Version 5.1\nx\nASCII\nDATASET POLYDATA\nPOINTS 0 float\n";
+  for (long n = 0; n < 3; ++n)
+    write_text(folder / fmt::format("particles/p_{}.vtk", 100 * n), nothing);
+  for (long n = 3; n < 5; ++n)
+    write_text(folder / fmt::format("particles/p_{}.vtk", 100 * n),
+               vtk_frame(grains_of(-forces[n]), false));
+  analyse(options_for(folder));
+  EXPECT_EQ(windows(folder, "time_s"), std::vector<double>{4e-3});
+}
+
+TEST(Analysis, takes_the_cube_along_with_a_big_grain_that_moves) {
+  const fs::path still = known_results("still");
+  const fs::path moving = fresh_results("moving");
+  write_facts(moving);
+  std::string text;
+  for (long n = 0; n < 6; ++n)
+    text += text_frame(100 * n, grains_of(-forces[n], 0.01 * static_cast<double>(n)));
+  write_text(moving / "particles/grains.dump", text);
+  analyse(options_for(still));
+  analyse(options_for(moving));
+  EXPECT_EQ(windows(still, "alpha_s"), windows(moving, "alpha_s"));
+  EXPECT_EQ(windows(still, "omega"), windows(moving, "omega"));
+}
+
+TEST(Analysis, chooses_the_big_grains_by_size_type_and_number) {
+  const fs::path folder = known_results("chosen");
+  auto options = options_for(folder);
+  analyse(options);
+  const auto expected = windows(folder, "dem_z_N_m3");
+  for (const char* big : {"type=2", "id=9", "above=0.002"}) {
+    options.big = big;
+    analyse(options);
+    EXPECT_EQ(windows(folder, "dem_z_N_m3"), expected) << big;
+  }
+  options.big = "id=1,9";
+  options.sizes = {0.5};
+  analyse(options);
+  EXPECT_EQ(windows(folder, "big_id").size(), 2 * expected.size());
+}
+
+TEST(Analysis, without_a_mean_force_takes_that_of_the_dumps_and_without_any_has_fractions_alone) {
+  const fs::path folder = known_results("forces");
+  analyse(options_for(folder));
+  const auto expected = windows(folder, "dem_z_N_m3");
+  std::string instants;
+  std::string forceless;
+  for (long n = 0; n < 6; ++n) {
+    instants +=
+        text_frame(100 * n, grains_of(-forces[n]), "id type x y z vx vy vz radius fx fy fz");
+    forceless +=
+        text_frame(100 * n, grains_of(-forces[n]), "id type x y z vx vy vz radius mux muy muz");
+  }
+  write_text(folder / "particles/grains.dump", instants);
+  analyse(options_for(folder));
+  EXPECT_EQ(windows(folder, "dem_z_N_m3"), expected);
+  write_text(folder / "particles/grains.dump", forceless);
+  analyse(options_for(folder));
+  EXPECT_EQ(windows(folder, "alpha_s").size(), expected.size());
+  EXPECT_THROW(windows(folder, "omega"), Error);  // no number in the column
+}
+
+// A window's rate on one big grain.
+DragRate rate_at(double time, double dem, double syamlal) {
+  DragRate rate;
+  rate.time_s = time;
+  rate.size = 1.0;
+  rate.side = 1.0;
+  rate.dem = Vec3(0.0, 0.0, dem);
+  rate.syamlal = Vec3(0.0, 0.0, syamlal);
+  return rate;
+}
+
+TEST(SteadyPeriod, is_the_middle_half_of_the_encounter) {
+  std::vector<DragRate> rates;
+  for (int n = 1; n <= 20; ++n)  // windows of 1 s; the force acts in those that end at 5 to 16
+    rates.push_back(rate_at(n, n >= 5 && n <= 16 ? (n == 5 ? 9.0 : 2.0) : 0.1, 1.0));
+  const auto period = steady_period(rates, 1.0);
+  EXPECT_DOUBLE_EQ(period[0], 4.0 + 0.25 * 12.0);
+  EXPECT_DOUBLE_EQ(period[1], 16.0 - 0.25 * 12.0);
+  const auto mean = steady_drag(rates, period).front();
+  EXPECT_EQ(mean.windows, 6);
+  EXPECT_DOUBLE_EQ(mean.omega, 2.0);
+  EXPECT_DOUBLE_EQ(mean.omega_transient, 9.0);
+  EXPECT_NEAR(mean.omega_error, 0.0, 1e-12);
+}
+
+TEST(SteadyPeriod, compares_along_syamlals_rate) {
+  DragRate rate = rate_at(1.0, 3.0, 2.0);
+  rate.dem.x() = 100.0;  // across
+  EXPECT_DOUBLE_EQ(rate.omega(), 1.5);
+  EXPECT_DOUBLE_EQ(steady_drag({rate}, {0.0, 1.0}).front().omega, 1.5);
+}
+
+}  // namespace
+}  // namespace gasgrain
