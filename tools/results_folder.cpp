@@ -26,7 +26,8 @@ bool is_run_file(const fs::path& file) {
   const std::string name = file.filename();
   for (const char* known :
        {"history.csv", "run.json", "gas.h5", "gas.xdmf", "packed.restart", "particles.vtk.series",
-        "measured.csv", "measured_curve.csv", "measured.json"})
+        "measured.csv", "measured_curve.csv", "measured.json", "analyse.toml", "solid_drag.csv",
+        "solid_drag_windows.csv", "solid_drag.json", "centre_line.csv"})
     if (name == known) return true;
   return file.extension() == ".png" ||
          (name.rfind("ledger", 0) == 0 && file.extension() == ".json") || name == "audit.txt" ||
