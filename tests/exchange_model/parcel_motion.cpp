@@ -46,6 +46,24 @@ TEST(parcels, fall_and_settle_to_a_bed_at_rest_of_the_packed_height) {
   }
 }
 
+// rho theta g over the height: what lies above the centre of the lowest cell.
+TEST(parcels, at_rest_carry_their_weight_by_the_stress) {
+  const double h = 1e-2;
+  Bed bed(box_of({3, 3, 18}, h), settings(all_walls(), true));
+  fill(bed.parcels, bed.grid, {{0, 0, 0}, {3, 3, 16}}, 2, 0.55, radius, 2500.0, Vec3::Zero());
+  for (int n = 0; n < 1500; ++n) bed.step(1e-3);
+  EXPECT_EQ(bed.motion_report.limited, 0U);
+  const Array3<double>& theta = bed.stress.solid_fraction();
+  double lowest = 0.0;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) lowest += bed.stress.stress(theta(i, j, 0)) / 9.0;
+  const double above = bed.parcels.total_mass() / (9.0 * h * h) - 2500.0 * theta(1, 1, 0) * 0.5 * h;
+  // What still moves, up to half of a step of gravity, swings about this.
+  EXPECT_NEAR(lowest / (9.81 * above), 1.0, 0.05);
+  const double rms = std::sqrt(2.0 * bed.parcels.kinetic_energy() / bed.parcels.total_mass());
+  EXPECT_LT(rms, 0.5 * 9.81e-3);
+}
+
 TEST(parcels, that_all_run_to_one_place_never_fill_a_cell_beyond_the_bound) {
   for (const double speed : {0.5, 5.0}) {
     Bed bed(box_of({8, 8, 8}, 5e-3), settings(all_walls(), false));

@@ -17,11 +17,11 @@ double weight_at(const AxisWeights& axis, int cell) {
   return 0.0;
 }
 
-bool meets_marked(const ParcelStencil& stencil, const Array3<double>& share) {
-  bool met = false;
-  for_each_product(stencil,
-                   [&](int i, int j, int k, double) { met |= share(i, j, k) < not_marked; });
-  return met;
+// Whether a parcel at x may have a share in a cell that is marked.
+bool touches(const TileFrame& frame, const Vec3& x, const Array3<char>& touched) {
+  Int3 below;
+  for (int d = 0; d < 3; ++d) below[d] = frame.cell(std::floor(frame.in_cells(x[d], d) - 0.5), d);
+  return touched(below[0], below[1], below[2]) != 0;
 }
 
 // Cuts a way that would end outside of the tile.
@@ -89,6 +89,15 @@ void ParcelMotion::mark_above(const TileFrame& frame, double packings) {
   clear(share_, frame);
   for (std::size_t n = 0; n < share_.size(); ++n)
     share_[n] = fraction_[n] > (1.0 + round_off) * limit(n, packings) ? 0.0 : not_marked;
+  // Parcels are found by the lowest cell of their stencil.
+  if (touched_.box() != frame.tile) touched_ = Array3<char>(frame.tile);
+  touched_.fill(0);
+  for_each_cell(frame.tile, [&](int i, int j, int k) {
+    if (share_(i, j, k) == not_marked) return;
+    const IndexBox below{{i - 1, j - 1, k - 1}, {i + 1, j + 1, k + 1}};
+    for_each_cell(intersection(below, frame.tile),
+                  [&](int l, int m, int n) { touched_(l, m, n) = 1; });
+  });
 }
 
 void ParcelMotion::find_shares(const TileFrame& frame, const SumOverRanks& sum) {
@@ -96,8 +105,10 @@ void ParcelMotion::find_shares(const TileFrame& frame, const SumOverRanks& sum) 
   clear(outflow_, frame);
   for (const Way& way : ways_) {
     if (way.fraction == 0.0) continue;
-    const ParcelStencil before = trilinear_axes(frame, way.start);
     const bool gone = frame.beyond_walls(way.end());
+    if (!touches(frame, way.start, touched_) && (gone || !touches(frame, way.end(), touched_)))
+      continue;
+    const ParcelStencil before = trilinear_axes(frame, way.start);
     const ParcelStencil after = gone ? ParcelStencil{} : trilinear_axes(frame, way.end());
     for_each_product(after, [&](int i, int j, int k, double w) {
       if (w == 0.0 || share_(i, j, k) == not_marked) return;
@@ -123,8 +134,8 @@ void ParcelMotion::shorten_ways(const TileFrame& frame, const SumOverRanks& sum,
   clear(change_, frame);
   for (Way& way : ways_) {
     if (way.fraction == 0.0 || frame.beyond_walls(way.end())) continue;
+    if (!touches(frame, way.end(), touched_)) continue;
     const ParcelStencil after = trilinear_axes(frame, way.end());
-    if (!meets_marked(after, share_)) continue;
     const ParcelStencil before = trilinear_axes(frame, way.start);
     Vec3 shorter = Vec3::Ones();
     for_each_product(after, [&](int i, int j, int k, double w) {

@@ -110,6 +110,7 @@ class ParcelMotion {
   Array3<double> inflow_;    // in fractions
   Array3<double> outflow_;
   Array3<double> share_;  // alpha of a marked cell; above 1: not marked
+  Array3<char> touched_;  // lowest cells of the stencils that have a marked cell
   Array3<double> mass_;
   std::array<Array3<double>, 3> momentum_;
 };

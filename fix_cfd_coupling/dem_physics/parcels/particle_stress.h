@@ -24,7 +24,7 @@
 //
 // so that the stress brings a parcel to the mean of its surroundings, or e times beyond, never
 // further: it is stable at any step. With u from before the step a bed at rest under gravity is
-// held at rest (u = 0, w = g dt, dv = -g dt).
+// held at rest: u = 0, w = g dt, dv = -g dt where the stress suffices.
 // Deviations: tau is explicit (theta of the step's beginning) where Snider solves for it; what then
 // still passes close packing is stopped by parcel_motion.h. Momentum is exchanged with the
 // surroundings through the mean, not pair by pair; the limiter's share is reported.
