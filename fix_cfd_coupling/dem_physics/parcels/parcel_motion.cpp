@@ -9,7 +9,7 @@ namespace {
 constexpr double not_marked = 2.0;
 constexpr double least_core = 1e-9;  // of a particle, to take part in the packing
 // Above what a cell held before by this share is no more than round-off.
-constexpr double round_off = 1e-10;
+constexpr double round_off = 1e-13;
 
 double weight_at(const AxisWeights& axis, int cell) {
   for (int n = 0; n < axis.count; ++n)

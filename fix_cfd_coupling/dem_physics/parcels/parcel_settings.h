@@ -5,9 +5,10 @@
 //                           between loose, 0.56, and dense, 0.64)
 //   stress PS BETA EPS | off    constant [Pa], exponent and epsilon of the particle stress (default
 //                           100 3 1e-7: the values that MFiX-PIC starts from; particle_stress.h)
-//   restitution E           of the limiter of the stress, 0 to 1 (default 0.4, as in MFiX 17: cells
-//                           that were pressed beyond close packing open again; at 0 they stay so,
-//                           and the motion has to hold them every step, at three times the cost)
+//   restitution E           of the limiter of the stress, 0 to 1: share of the velocity with which
+//   a
+//                           parcel came to its surroundings (default 0.4: the value that MFiX 17
+//                           starts from)
 //   walls SIDE...           sides of the box that are walls: x_lo x_hi y_lo y_hi z_lo z_hi
 //                           (default none: all open)
 //   retention EN ET         share of the normal and tangential velocity kept at a wall (default 0.3

@@ -35,6 +35,12 @@ double minmod(double a, double b) {
 
 }  // namespace
 
+double ParticleStress::bound(double mean, double was, double coming) const {
+  const double stop = mean - coming;
+  const double approach = mean - was;
+  return stop * approach > 0.0 ? stop + restitution_ * approach : stop;
+}
+
 ParticleStress::ParticleStress(const ParcelSettings& settings)
     : close_packing_(settings.close_packing),
       constant_(settings.stress_constant),
@@ -102,8 +108,9 @@ StressReport ParticleStress::add_forces(const ParcelView& parcels, const TileFra
     for (int d = 0; d < 3; ++d) {
       const double by_stress = -dt * slope[d] * parcels.particle_volume(p) / (filled * mass);
       const double mean = sample(stencil, momentum_[d]) / mass_here;
-      const double coming = parcels.velocity[3 * p + d] + dt * force[3 * p + d] / mass;
-      const double change = minmod(by_stress, (1.0 + restitution_) * (mean - coming));
+      const double was = parcels.velocity[3 * p + d];
+      const double coming = was + dt * force[3 * p + d] / mass;
+      const double change = minmod(by_stress, bound(mean, was, coming));
       if (change != by_stress) ++report.limited;
       if (change == 0.0) continue;
       ++report.acting;
