@@ -15,9 +15,7 @@ void GrainReader::read(const ScriptCommand& command, std::vector<std::string>& f
   } else if (verb == "create_box") {
     box_ = region(words, words.word(2));
   } else if (verb == "lattice") {
-    const std::map<std::string, double> in_cell{{"sc", 1.0}, {"bcc", 2.0}, {"fcc", 4.0}};
-    const auto found = in_cell.find(words.word(1));
-    if (found != in_cell.end()) sites_ = found->second / std::pow(words.number(2), 3);
+    read_lattice(words);
   } else if (verb == "create_atoms") {
     read_create(words);
   } else if (verb == "set") {
@@ -26,6 +24,10 @@ void GrainReader::read(const ScriptCommand& command, std::vector<std::string>& f
     read_template(words);
   } else if (style == "particledistribution/discrete") {
     read_distribution(words);
+  } else if (style == "parcels") {
+    if (words.has("particles")) found_.of_a_parcel = words.number_after("particles");
+  } else if (style == "parcels/inject") {
+    read_feed(words);
   } else if (style.rfind("insert/", 0) == 0) {
     read_insertion(words);
   }
@@ -62,6 +64,31 @@ GrainReader::Block GrainReader::region(CommandWords words, const std::string& na
   if (name != "box")
     words.fault("the region \"{}\" is not a block or cylinder that stands above.", name);
   return box_;
+}
+
+// `custom` with axes along those of the box: SCALE a1 X 0 0 a2 0 Y 0 a3 0 0 Z basis ...
+void GrainReader::read_lattice(CommandWords words) {
+  const std::map<std::string, double> in_cell{{"sc", 1.0}, {"bcc", 2.0}, {"fcc", 4.0}};
+  const auto found = in_cell.find(words.word(1));
+  if (found != in_cell.end()) sites_ = found->second / std::pow(words.number(2), 3);
+  if (words.word(1) != "custom") return;
+  double volume = std::pow(words.number(2), 3);
+  double basis = 0.0;
+  for (std::size_t n = 3; n + 3 < words.size(); ++n) {
+    const std::string word = words.word(n);
+    if (word == "basis") basis += 1.0;
+    if (word.size() == 2 && word[0] == 'a' && word[1] >= '1' && word[1] <= '3')
+      volume *= words.number(n + 1 + static_cast<std::size_t>(word[1] - '1'));
+  }
+  sites_ = basis / volume;
+}
+
+// Solids alone: droplets are no grains of the bed.
+void GrainReader::read_feed(CommandWords words) {
+  if (!words.has("solid") || words.after("size") != "constant") return;
+  const double diameter = 2.0 * words.number_after("constant");
+  of_sets_.push_back({diameter, diameter, words.number_after("solid")});
+  found_.thrown = std::max(found_.thrown, words.number_after("speed"));
 }
 
 void GrainReader::read_create(CommandWords words) {
@@ -157,6 +184,7 @@ Grains GrainReader::grains() const {
   if (volume == 0.0) return all;
   all.density = mass / volume;
   all.sauter = volume / volume_by_diameter;
+  all.count *= found_.of_a_parcel;
   all.count += volume_put_in_ / sphere_volume(0.5 * all.sauter);
   return all;
 }

@@ -12,13 +12,14 @@
 namespace gasgrain {
 
 struct Grains {
-  double largest = 0.0;   // diameter [m]
-  double smallest = 0.0;  // diameter [m]
-  double sauter = 0.0;    // six times the volume of all over their surface [m]
-  double density = 0.0;   // of the solid volume's mean [kg/m3]; 0: no line says
-  double count = 0.0;     // 0: not known, as grains come in by a rate
-  double top = 0.0;       // of what they are put into [m]
-  double thrown = 0.0;    // speed of insertion [m/s]
+  double largest = 0.0;      // diameter [m]
+  double smallest = 0.0;     // diameter [m]
+  double sauter = 0.0;       // six times the volume of all over their surface [m]
+  double density = 0.0;      // of the solid volume's mean [kg/m3]; 0: no line says
+  double count = 0.0;        // 0: not known, as grains come in by a rate
+  double top = 0.0;          // of what they are put into [m]
+  double thrown = 0.0;       // speed of insertion [m/s]
+  double of_a_parcel = 1.0;  // particles; 1: grains
 };
 
 // Takes the commands of a script in their order.
@@ -42,7 +43,9 @@ class GrainReader {
 
   void read_region(CommandWords words);
   Block region(CommandWords words, const std::string& name) const;
+  void read_lattice(CommandWords words);
   void read_create(CommandWords words);
+  void read_feed(CommandWords words);
   void read_set(CommandWords words);
   void read_template(CommandWords words);
   void read_distribution(CommandWords words);

@@ -13,7 +13,7 @@ from pathlib import Path
 
 BIN = Path(sys.argv.pop(1) if len(sys.argv) > 1 else "build").resolve()
 INPUTS = Path(__file__).resolve().parents[2] / "inputs"
-SCENES = sorted(script.parent for script in INPUTS.glob("*/in.liggghts"))
+SCENES = sorted(gas.parent for gas in INPUTS.glob("*/gas.toml") if (gas.parent / "in.liggghts").exists())
 
 
 def advise(*words):
