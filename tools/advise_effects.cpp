@@ -75,12 +75,14 @@ class Chooser {
   }
   void choose(SizeDepthCorrection) { set(scene_.gas.plane_of_spheres > 0.0, needed()); }
   // Dry and uncharged grains want neither, and whether they are the script does not say.
+  // Parcels touch nothing.
   void choose(SizeLiquidBridge) { of_cohesion("bridge", "; if the grains were wet", false); }
   void choose(SizeElectrostatics) {
     of_cohesion("electrostatic", "; at the greatest charge", false);
   }
   void choose(SizeVanDerWaals) { of_cohesion("van_der_waals", "", needed()); }
   void choose(SizeLubrication) {
+    if (scene_.parcels) return without_contacts();
     row_.now = "absent";
     row_.advised = needed() ? "wanted" : "absent";
     row_.note = "not in this version";
@@ -88,7 +90,12 @@ class Chooser {
   }
 
  private:
+  void without_contacts() {
+    set(false, false);
+    row_.note = "parcels have no contacts";
+  }
   void of_cohesion(const std::string& model, const std::string& condition, bool wanted) {
+    if (scene_.parcels) return without_contacts();
     const bool now = scene_.contacts.cohesion == model;
     set(now, now || wanted);
     row_.note = "cohesion " + model + condition;
@@ -98,7 +105,10 @@ class Chooser {
     row_.advised = on_off(advised);
   }
   // Of grains that do not move neither matters.
-  void of_contacts(bool now) { set(now, scene_.moves ? needed() : now); }
+  void of_contacts(bool now) {
+    if (scene_.parcels) return without_contacts();
+    set(now, scene_.moves ? needed() : now);
+  }
   [[nodiscard]] bool needed() const { return row_.needed; }
   [[nodiscard]] TurbulenceModel turbulence() const { return scene_.gas.turbulence.model; }
   // By the mean flow's stress, whichever model stands for it.

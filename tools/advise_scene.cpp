@@ -45,6 +45,8 @@ class SceneReader {
       scene_.gravity = std::abs(words.number(4));
     } else if (style == "couple/gas") {
       read_couple(command, words);
+    } else if (style == "parcels") {
+      scene_.moves = scene_.parcels = true;
     } else if (style.rfind("nve", 0) == 0) {
       scene_.moves = true;
       scene_.rotates = style.find("sphere") != std::string::npos;

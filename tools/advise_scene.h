@@ -45,6 +45,7 @@ struct AdviseScene {
   bool rotates = false;  // an integrator that turns grains
   bool moves = false;    // an integrator at all
   GasInput gas;
+  bool parcels = false;  // instead of grains
 
   [[nodiscard]] double interval() const { return couple.every * dt; }
 };
