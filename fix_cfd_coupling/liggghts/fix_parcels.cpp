@@ -174,8 +174,10 @@ void FixParcels::setup_pre_force(int) {
   // Else the host gives both their values of a new atom once more, after this.
   just_created = size_->just_created = 0;
   meet_new_parcels();
-  // Between two runs the script may do what it likes: the balance is one of a run.
-  if (!balance_begun_) return;
+}
+
+// Before and between runs the script may do what it likes: the balance is one of a run.
+void FixParcels::begin_balance() {
   const Stock stock = take_stock();
   if (comm->me != 0) return;
   came_ += {stock.held.solids - (stock.came.solids - stock.gone.solids),
@@ -183,7 +185,8 @@ void FixParcels::setup_pre_force(int) {
 }
 
 void FixParcels::setup(int) {
-  balance_begun_ = true;
+  begin_balance();
+  shown_at_ = -1;  // of the run before
   limits_ = {};
   cells_->follow_domain(0.0, reach);
   post_force(0);

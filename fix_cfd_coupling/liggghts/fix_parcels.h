@@ -111,6 +111,7 @@ class FixParcels : public Fix {
 
   void check_scene() const;
   void meet_new_parcels();
+  void begin_balance();
   void take_out_leavers();
   [[nodiscard]] gasgrain::ParcelView view() const;
   [[nodiscard]] Masses masses_of(int k) const;
@@ -127,7 +128,6 @@ class FixParcels : public Fix {
   std::vector<double> solid_mass_;    // [kg], of a particle; 0: has not met the fix yet
   std::vector<double> solid_volume_;  // [m3]
   Account came_, gone_;               // of this rank, since the balance began
-  bool balance_begun_ = false;
   Limits limits_;
   double limited_now_ = 0.0;
   double fraction_now_ = 0.0;

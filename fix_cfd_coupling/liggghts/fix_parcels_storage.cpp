@@ -93,7 +93,6 @@ void FixParcels::restart(char* data) {
   if (state.format != stored_format)
     gasgrain::stop_everything(
         "the restart's fix parcels is of another version of gasgrain: start the run anew.");
-  balance_begun_ = true;
   if (comm->me != 0) return;
   came_ += {state.came[0], state.came[1]};
   gone_ += {state.gone[0], state.gone[1]};
