@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 
 #include "coupling/base/error.h"
 #include "fix_cfd_coupling/liggghts/fix_parcels.h"
@@ -22,6 +23,7 @@ namespace LAMMPS_NS {
 namespace {
 
 constexpr const char* property = "liquidFilm";
+constexpr double round_off = 1e-12;  // of a particle's volume, that a film may be below 0
 constexpr int reach_of_parcels = 1;  // beyond their sub-domain, a cell of leeway
 
 }  // namespace
@@ -81,7 +83,8 @@ FixCollisionalExchange::~FixCollisionalExchange() {
 }
 
 int FixCollisionalExchange::setmask() {
-  return FixConst::END_OF_STEP | FixConst::POST_RUN;
+  // PRE_FORCE for setup_pre_force() alone.
+  return FixConst::PRE_FORCE | FixConst::END_OF_STEP | FixConst::POST_RUN;
 }
 
 // The films stay when the fix is taken away: they are the grains'.
@@ -96,6 +99,14 @@ void FixCollisionalExchange::post_create() {
 }
 
 void FixCollisionalExchange::check_scene() const {
+  // Who makes films and parcels knows them before this fix takes them on.
+  for (int n = modify->find_fix(id) + 1; n < modify->nfix; ++n)
+    for (const char* maker : {"liquid", "parcels"})
+      if (std::strcmp(modify->fix[n]->style, maker) == 0)
+        gasgrain::stop_everything(
+            fmt::format("fix collisional_exchange must stand after fix {} in the script: change "
+                        "their order.",
+                        maker));
   if (parcels_ != nullptr && !settings_.momentum)
     gasgrain::stop_everything(
         "fix collisional_exchange: 'momentum off' is for grains with contacts, which carry "
@@ -135,6 +146,14 @@ void FixCollisionalExchange::setup_pre_force(int) {
   just_created = 0;
   if (film_ != nullptr) film_->just_created = 0;
   checked_ = false;
+  // Parcels take their films' mass on before the gas and the balance of fix parcels see them.
+  if (parcels_ != nullptr) take_films();
+}
+
+// Grains have the film that fix liquid gives them from here on.
+void FixCollisionalExchange::setup(int) {
+  take_films();
+  for (int k = 0; k < atom->nlocal; ++k) show(k);
 }
 
 std::vector<std::string> FixCollisionalExchange::species() const {
@@ -156,23 +175,46 @@ void FixCollisionalExchange::admit(int k, const std::vector<double>& film_mass) 
   if (species == 0) return;
   std::copy_n(film_mass.begin(), species, mass_.begin() + static_cast<std::ptrdiff_t>(k * species));
   known_[static_cast<std::size_t>(k)] = film_->vector_atom[k] = film_volume(k);
+  show(k);
 }
 
 // A film that someone else has changed (bridges, the script) keeps its mixture; one that was
 // nothing is of the first species.
-void FixCollisionalExchange::take_films() {
+void FixCollisionalExchange::take_film(int k) {
+  const auto n = static_cast<std::size_t>(k);
+  const double given = film_->vector_atom[k];
+  if (given == known_[n]) return;
+  const double sphere = 4.0 / 3.0 * M_PI * std::pow(atom->radius[k], 3);
+  if (!std::isfinite(given) || given < -round_off * sphere)
+    gasgrain::stop_everything_from_here(
+        fmt::format("fix collisional_exchange: the {} of atom {} is {}: give m3 of liquid on one "
+                    "particle, 0 or more (0: dry).",
+                    property, atom->tag[k], given));
+  if (given < 0.0) ++total_.films_below_zero;
+  const double volume = std::max(0.0, given);
+  if (volume == known_[n]) return;
   const std::size_t species = count_of_species();
-  for (int k = 0; k < atom->nlocal && species > 0; ++k) {
-    const auto n = static_cast<std::size_t>(k);
-    const double volume = std::max(0.0, film_->vector_atom[k]);
-    if (volume == known_[n]) continue;
-    double* mass = mass_.data() + n * species;
-    if (known_[n] > 0.0)
-      for (std::size_t i = 0; i < species; ++i) mass[i] *= volume / known_[n];
-    else
-      mass[0] = volume * settings_.species[0].density;
-    known_[n] = volume;
-  }
+  double* mass = mass_.data() + n * species;
+  if (known_[n] > 0.0)
+    for (std::size_t i = 0; i < species; ++i) mass[i] *= volume / known_[n];
+  else
+    mass[0] = volume * settings_.species[0].density;
+  known_[n] = volume;
+  if (parcels_ != nullptr)
+    parcels_->set_film(k, std::accumulate(mass, mass + species, 0.0), volume);
+}
+
+void FixCollisionalExchange::take_films() {
+  if (count_of_species() == 0) return;
+  for (int k = 0; k < atom->nlocal; ++k) take_film(k);
+}
+
+// What dumps see of an atom.
+void FixCollisionalExchange::show(int k) {
+  const std::size_t species = count_of_species();
+  const auto n = static_cast<std::size_t>(k);
+  for (std::size_t i = 0; i < species; ++i) array_atom[k][i] = mass_[n * species + i];
+  if (settings_.film_temperature) array_atom[k][species] = temperature_[n];
 }
 
 void FixCollisionalExchange::give_films() {
@@ -181,13 +223,10 @@ void FixCollisionalExchange::give_films() {
     const auto n = static_cast<std::size_t>(k);
     const double volume = film_volume(k);
     if (volume != known_[n]) film_->vector_atom[k] = known_[n] = volume;
-    double mass = 0.0;
-    for (std::size_t i = 0; i < species; ++i) {
-      mass += mass_[n * species + i];
-      array_atom[k][i] = mass_[n * species + i];
-    }
-    if (settings_.film_temperature) array_atom[k][species] = temperature_[n];
-    if (parcels_ != nullptr) parcels_->set_film(k, mass, volume);
+    const double* mass = mass_.data() + n * species;
+    if (parcels_ != nullptr)
+      parcels_->set_film(k, std::accumulate(mass, mass + species, 0.0), volume);
+    show(k);
   }
 }
 

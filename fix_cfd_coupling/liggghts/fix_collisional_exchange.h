@@ -38,6 +38,7 @@ class FixCollisionalExchange : public Fix {
   void post_create() override;
   void init() override;
   void setup_pre_force(int) override;
+  void setup(int) override;
   void end_of_step() override;
   void post_run() override;
 
@@ -70,8 +71,10 @@ class FixCollisionalExchange : public Fix {
   void check_scene() const;
   [[nodiscard]] std::size_t count_of_species() const { return settings_.species.size(); }
   [[nodiscard]] double film_volume(int k) const;
+  void take_film(int k);
   void take_films();
   void give_films();
+  void show(int k);
   [[nodiscard]] gasgrain::ExchangeView view();
 
   gasgrain::ExchangeSettings settings_;

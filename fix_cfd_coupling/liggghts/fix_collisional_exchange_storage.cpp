@@ -32,7 +32,7 @@ void FixCollisionalExchange::set_arrays(int particle) {
   std::fill_n(mass_.begin() + static_cast<std::ptrdiff_t>(n * species), species, 0.0);
   known_[n] = 0.0;
   if (settings_.film_temperature) temperature_[n] = *settings_.film_temperature;
-  if (size_peratom_cols > 0) std::fill_n(array_atom[particle], size_peratom_cols, 0.0);
+  show(particle);
 }
 
 int FixCollisionalExchange::pack_exchange(int particle, double* buffer) {
@@ -50,6 +50,7 @@ int FixCollisionalExchange::unpack_exchange(int particle, double* buffer) {
   for (std::size_t i = 0; i < count_of_species(); ++i) mass_[n * count_of_species() + i] = *at++;
   known_[n] = *at++;
   if (settings_.film_temperature) temperature_[n] = *at++;
+  show(particle);
   return static_cast<int>(at - buffer);
 }
 
