@@ -32,13 +32,12 @@ FixParcelsInject::FixParcelsInject(LAMMPS* host, int narg, char** arg) : Fix(hos
     if (!fault.empty()) gasgrain::fail("fix parcels/inject cannot be used:\n  {}", fault);
     if (domain->box_exist == 0)
       gasgrain::fail("fix parcels/inject must stand after create_box or read_restart.");
-    gasgrain::BoxGrid box;
     for (int d = 0; d < 3; ++d) {
-      box.lo[d] = domain->boxlo[d];
-      box.hi[d] = domain->boxhi[d];
-      box.periodic[d] = domain->periodicity[d] != 0;
+      box_.lo[d] = domain->boxlo[d];
+      box_.hi[d] = domain->boxhi[d];
+      box_.periodic[d] = domain->periodicity[d] != 0;
     }
-    injector_ = std::make_unique<gasgrain::Injector>(settings_, box);
+    injector_ = std::make_unique<gasgrain::Injector>(settings_, box_);
   } catch (const gasgrain::Error& e) {
     gasgrain::stop_everything(e.what());
   }
@@ -63,17 +62,39 @@ void FixParcelsInject::init() {
     gasgrain::stop_everything(
         "fix parcels/inject was made with other species than fix collisional_exchange has: put it "
         "after that fix.");
-  if (done_to_ < 0) done_to_ = update->ntimestep;
+  if (done_to_ < 0) begin_at(static_cast<double>(update->ntimestep) * update->dt);
+  if (done_to_ != update->ntimestep) {  // reset_timestep
+    clock_time_ = now();
+    done_to_ = clock_step_ = update->ntimestep;
+  }
+}
+
+void FixParcelsInject::begin_at(double time) {
+  done_to_ = clock_step_ = update->ntimestep;
+  clock_time_ = begun_ = time;
+  clock_dt_ = update->dt;
+  if (begun_ <= settings_.from) return;
+  settings_.from = std::min(begun_, settings_.to);
+  injector_ = std::make_unique<gasgrain::Injector>(settings_, box_);
+}
+
+double FixParcelsInject::now() const {
+  return clock_time_ + static_cast<double>(done_to_ - clock_step_) * clock_dt_;
+}
+
+void FixParcelsInject::follow_clock() {
+  if (update->dt == clock_dt_) return;
+  clock_time_ = now();
+  clock_step_ = done_to_;
+  clock_dt_ = update->dt;
 }
 
 // Called at every step of a run, before the host hands parcels to their ranks.
 void FixParcelsInject::pre_exchange() {
-  const double dt = update->dt;
-  const auto time = static_cast<double>(done_to_) * dt;
-  const auto steps = static_cast<double>(update->ntimestep - done_to_);
+  follow_clock();
+  const double time = now();
   done_to_ = update->ntimestep;
-  if (steps <= 0.0) return;
-  const std::vector<gasgrain::NewParcel> list = injector_->due(time, steps * dt);
+  const std::vector<gasgrain::NewParcel> list = injector_->due(time, now() - time);
   if (list.empty()) return;
   int last = 0;
   for (int k = 0; k < atom->nlocal; ++k) last = std::max(last, atom->tag[k]);
@@ -123,18 +144,38 @@ bool FixParcelsInject::make(const gasgrain::NewParcel& parcel, int number) {
 void FixParcelsInject::write_restart(FILE* file) {
   if (comm->me != 0) return;
   std::vector<double> state = injector_->state();
-  state.push_back(static_cast<double>(done_to_));
+  for (const double number : {static_cast<double>(done_to_), begun_, clock_time_,
+                              static_cast<double>(clock_step_), clock_dt_})
+    state.push_back(number);
+  state.insert(state.begin(), static_cast<double>(state.size()));
   const int bytes = static_cast<int>(state.size() * sizeof(double));
   fwrite(&bytes, sizeof(int), 1, file);
   fwrite(state.data(), sizeof(double), state.size(), file);
 }
 
 void FixParcelsInject::restart(char* data) {
-  std::vector<double> state(injector_->state().size() + 1);
-  std::memcpy(state.data(), data, state.size() * sizeof(double));
-  done_to_ = static_cast<bigint>(state.back());
-  state.pop_back();
-  injector_->set_state(state);
+  double count;
+  std::memcpy(&count, data, sizeof(count));
+  std::vector<double> state(static_cast<std::size_t>(count));
+  std::memcpy(state.data(), data + sizeof(count), state.size() * sizeof(double));
+  const auto take = [&] {
+    const double number = state.back();
+    state.pop_back();
+    return number;
+  };
+  const double dt = take();
+  const auto step = static_cast<bigint>(take());
+  const double time = take();
+  begin_at(take());
+  clock_dt_ = dt;
+  clock_step_ = step;
+  clock_time_ = time;
+  done_to_ = static_cast<bigint>(take());
+  try {
+    injector_->set_state(state);
+  } catch (const gasgrain::Error& e) {
+    gasgrain::stop_everything(e.what());
+  }
 }
 
 double FixParcelsInject::compute_vector(int n) {
@@ -143,7 +184,7 @@ double FixParcelsInject::compute_vector(int n) {
     case 0:
       return account.flow;
     case 1:
-      return injector_->carried(static_cast<double>(done_to_) * update->dt);
+      return injector_->carried(now());
     case 2:
       return account.solids;
     case 3:

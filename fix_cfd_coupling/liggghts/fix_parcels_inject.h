@@ -4,7 +4,9 @@
 // fix a source; it stands after fix parcels and, where it injects liquid, after
 // fix collisional_exchange, whose species it names (without one: the single species `liquid`).
 // LIGGGHTS's dialect only: the physics is in dem_physics/parcels/injection.h, the keywords in
-// injection_settings.h. Times are those of the run, steps times the timestep.
+// injection_settings.h. Times are those of the run: steps times the timestep when the source first
+// runs, from then on its own clock, which neither another timestep nor reset_timestep sets. Nothing
+// comes in for the time before it first runs.
 //
 // f_ID[1..5]: mass of the flow come in, mass that has not come in whole yet [kg], solid mass, cores
 // of droplets included [kg], particles, parcels; [6..]: mass of each species [kg].
@@ -37,12 +39,21 @@ class FixParcelsInject : public Fix {
 
  private:
   bool make(const gasgrain::NewParcel& parcel, int number);
+  void begin_at(double time);
+  void follow_clock();
+  [[nodiscard]] double now() const;
 
   gasgrain::InjectionSettings settings_;
   std::unique_ptr<gasgrain::Injector> injector_;
   FixParcels* parcels_ = nullptr;
   FixCollisionalExchange* exchange_ = nullptr;
+  gasgrain::BoxGrid box_;
   bigint done_to_ = -1;  // step up to which parcels have come in; -1: none yet
+  double begun_ = 0.0;   // time at which the source first ran [s]
+  // The clock: a time [s], its step, and the timestep since.
+  double clock_time_ = 0.0;
+  bigint clock_step_ = 0;
+  double clock_dt_ = 0.0;
   std::size_t species_ = 0;
 };
 
