@@ -33,8 +33,24 @@ BoxGrid grid_of_scene(LAMMPS_NS::LAMMPS& host, const std::optional<Int3>& own,
   return grid;
 }
 
+namespace {
+
+TileSums sums_over(const BoxGrid& grid) {
+  const Communicator& ranks = session().local;
+  try {
+    return {ranks, grid};
+  } catch (const Error&) {
+    fail(
+        "{} ranks cannot share the {} x {} x {} cells that parcels and their exchange are summed "
+        "over: take more cells, or fewer ranks.",
+        ranks.size(), grid.cells[0], grid.cells[1], grid.cells[2]);
+  }
+}
+
+}  // namespace
+
 RankCells::RankCells(LAMMPS_NS::LAMMPS& host, const BoxGrid& grid)
-    : host_(host), frame_{grid, {}}, sums_(session().local, grid) {}
+    : host_(host), frame_{grid, {}}, sums_(sums_over(grid)) {}
 
 void RankCells::follow_domain(double drift, int reach) {
   const BoxGrid& grid = frame_.grid;
