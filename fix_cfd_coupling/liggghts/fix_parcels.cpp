@@ -154,19 +154,60 @@ void FixParcels::meet_new_parcels() {
     if (core != 0.0) continue;
     double& size = size_->vector_atom[k];
     if (size == unmet) size = settings_.particles;
-    if (!(size > 0.0) || !std::isfinite(size))
-      gasgrain::stop_everything_from_here(
-          fmt::format("the {} of atom {} is {}: give the number of particles, above 0.", property,
-                      atom->tag[k], size));
     const double r = atom->radius[k];
-    core = atom->rmass[k];
+    core = known_mass_[static_cast<std::size_t>(k)] = atom->rmass[k];
     solid_volume_[static_cast<std::size_t>(k)] = 4.0 / 3.0 * M_PI * r * r * r;
     came_ += {size * core, 0.0};
   }
 }
 
+// What the script may have done to them before this run.
+void FixParcels::check_parcels() const {
+  for (int k = 0; k < atom->nlocal; ++k) {
+    const double size = size_->vector_atom[k];
+    if (!(size > 0.0) || !std::isfinite(size))
+      gasgrain::stop_everything_from_here(
+          fmt::format("the {} of atom {} is {}: give the number of particles, above 0.", property,
+                      atom->tag[k], size));
+    const double known = known_mass_[static_cast<std::size_t>(k)];
+    if (atom->rmass[k] != known)
+      gasgrain::stop_everything_from_here(
+          fmt::format("the mass of atom {} has become {} kg, where fix parcels knows {} kg of it: "
+                      "set diameters "
+                      "and densities before the first run, films by the property liquidFilm.",
+                      atom->tag[k], atom->rmass[k], known));
+  }
+}
+
+void FixParcels::check_numbers() const {
+  for (int k = 0; k < atom->nlocal; ++k) {
+    const double *x = atom->x[k], *v = atom->v[k];
+    if (std::isfinite(x[0] + x[1] + x[2] + v[0] + v[1] + v[2])) continue;
+    gasgrain::stop_everything_from_here(
+        fmt::format("atom {} has a position or velocity that is not a number at step {}: x = {} {} "
+                    "{} m, v = {} "
+                    "{} {} m/s. Look at what the script sets, or take a shorter timestep.",
+                    atom->tag[k], update->ntimestep, x[0], x[1], x[2], v[0], v[1], v[2]));
+  }
+}
+
+// Parcels that the script has put on a wall, or behind it: the host would lose them.
+void FixParcels::put_inside_walls() {
+  const gasgrain::BoxGrid& grid = cells_->frame().grid;
+  for (int k = 0; k < atom->nlocal; ++k)
+    for (int d = 0; d < 3; ++d) {
+      if (grid.periodic[d]) continue;
+      const double gap = std::min(atom->radius[k], 0.25 * grid.spacing()[d]);
+      double& x = atom->x[k][d];
+      if (settings_.walls.side[d][0] && x < grid.lo[d]) x = grid.lo[d] + gap;
+      if (settings_.walls.side[d][1] && x >= grid.hi[d]) x = grid.hi[d] - gap;
+    }
+}
+
 void FixParcels::setup_pre_exchange() {
   next_reneighbor = update->ntimestep + 1;
+  check_numbers();
+  put_inside_walls();
   take_out_leavers();
 }
 
@@ -174,6 +215,7 @@ void FixParcels::setup_pre_force(int) {
   // Else the host gives both their values of a new atom once more, after this.
   just_created = size_->just_created = 0;
   meet_new_parcels();
+  check_parcels();
 }
 
 // Before and between runs the script may do what it likes: the balance is one of a run.
@@ -202,6 +244,7 @@ void FixParcels::kick() {
 
 void FixParcels::initial_integrate(int) {
   kick();
+  check_numbers();
   cells_->follow_domain(0.0, reach);
   const auto total = [](double value) { return gasgrain::session().local.sum(value); };
   try {
@@ -294,7 +337,7 @@ void FixParcels::admit(int k, const gasgrain::NewParcel& parcel) {
   double film = 0.0;
   for (const double mass : parcel.film_mass) film += mass;
   atom->radius[k] = parcel.radius;
-  atom->rmass[k] = parcel.solid_mass + film;
+  atom->rmass[k] = known_mass_[n] = parcel.solid_mass + film;
   atom->density[k] = atom->rmass[k] / (4.0 / 3.0 * M_PI * std::pow(parcel.radius, 3));
   came_ += masses_of(k);
 }
@@ -302,7 +345,7 @@ void FixParcels::admit(int k, const gasgrain::NewParcel& parcel) {
 void FixParcels::set_film(int k, double mass, double volume) {
   const auto n = static_cast<std::size_t>(k);
   const double whole = solid_volume_[n] + volume;
-  atom->rmass[k] = solid_mass_[n] + mass;
+  atom->rmass[k] = known_mass_[n] = solid_mass_[n] + mass;
   atom->radius[k] = std::cbrt(0.75 / M_PI * whole);
   atom->density[k] = atom->rmass[k] / whole;
 }

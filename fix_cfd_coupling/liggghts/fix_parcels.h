@@ -112,8 +112,11 @@ class FixParcels : public Fix {
   void check_scene() const;
   void meet_new_parcels();
   void begin_balance();
+  void check_parcels() const;
+  void check_numbers() const;
   void take_out_leavers();
   [[nodiscard]] gasgrain::ParcelView view() const;
+  void put_inside_walls();
   [[nodiscard]] Masses masses_of(int k) const;
   [[nodiscard]] Stock take_stock() const;
   void show();
@@ -127,6 +130,7 @@ class FixParcels : public Fix {
   FixPropertyAtom* size_ = nullptr;
   std::vector<double> solid_mass_;    // [kg], of a particle; 0: has not met the fix yet
   std::vector<double> solid_volume_;  // [m3]
+  std::vector<double> known_mass_;    // [kg], with the film, as this fix knows it
   Account came_, gone_;               // of this rank, since the balance began
   Limits limits_;
   double limited_now_ = 0.0;

@@ -104,7 +104,7 @@ void FixParcelsInject::pre_exchange() {
     if (make(parcel, ++last)) ++made;
   made = gasgrain::session().local.sum(made);
   if (made != static_cast<long>(list.size()))
-    gasgrain::stop_everything_from_here(fmt::format(
+    gasgrain::stop_everything(fmt::format(
         "fix parcels/inject {}: {} of {} new parcels are outside of the box at step {}: "
         "move the opening inwards, or turn its direction.",
         id, static_cast<long>(list.size()) - made, list.size(), update->ntimestep));

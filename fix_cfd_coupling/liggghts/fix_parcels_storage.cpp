@@ -17,8 +17,8 @@ namespace LAMMPS_NS {
 
 namespace {
 
-constexpr int stored_format = 1;  // raised with every change of what is stored
-constexpr int record_size = 2;
+constexpr int stored_format = 2;  // raised with every change of what is stored
+constexpr int record_size = 3;
 
 struct StoredState {
   int format;
@@ -31,11 +31,13 @@ struct StoredState {
 void FixParcels::grow_arrays(int size) {
   solid_mass_.resize(static_cast<std::size_t>(size));
   solid_volume_.resize(static_cast<std::size_t>(size));
+  known_mass_.resize(static_cast<std::size_t>(size));
 }
 
 void FixParcels::copy_arrays(int from, int to, int) {
   solid_mass_[static_cast<std::size_t>(to)] = solid_mass_[static_cast<std::size_t>(from)];
   solid_volume_[static_cast<std::size_t>(to)] = solid_volume_[static_cast<std::size_t>(from)];
+  known_mass_[static_cast<std::size_t>(to)] = known_mass_[static_cast<std::size_t>(from)];
 }
 
 void FixParcels::set_arrays(int parcel) {
@@ -46,12 +48,14 @@ void FixParcels::set_arrays(int parcel) {
 int FixParcels::pack_exchange(int parcel, double* buffer) {
   buffer[0] = solid_mass_[static_cast<std::size_t>(parcel)];
   buffer[1] = solid_volume_[static_cast<std::size_t>(parcel)];
+  buffer[2] = known_mass_[static_cast<std::size_t>(parcel)];
   return record_size;
 }
 
 int FixParcels::unpack_exchange(int parcel, double* buffer) {
   solid_mass_[static_cast<std::size_t>(parcel)] = buffer[0];
   solid_volume_[static_cast<std::size_t>(parcel)] = buffer[1];
+  known_mass_[static_cast<std::size_t>(parcel)] = buffer[2];
   return record_size;
 }
 
