@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fix_cfd_coupling/liggghts/fix_collisional_exchange.h"
+#include "fix_cfd_coupling/liggghts/host_error.h"
 // --
 #include "atom.h"
 #include "memory.h"
@@ -72,6 +73,10 @@ int FixCollisionalExchange::pack_restart(int particle, double* buffer) {
 void FixCollisionalExchange::unpack_restart(int particle, int nth) {
   double* share = atom->extra[particle];
   for (int n = 0; n < nth; ++n) share += static_cast<int>(share[0]);
+  if (static_cast<int>(share[0]) != size_restart(particle))
+    gasgrain::stop_everything_from_here(
+        "the restart's films are of other species than fix collisional_exchange names, or of films "
+        "with temperatures where these have none (or the other way round): name the same.");
   unpack_exchange(particle, share + 1);
 }
 
