@@ -222,8 +222,11 @@ void FixParcels::setup_pre_force(int) {
 void FixParcels::begin_balance() {
   const Stock stock = take_stock();
   if (comm->me != 0) return;
-  came_ += {stock.held.solids - (stock.came.solids - stock.gone.solids),
-            stock.held.liquid - (stock.came.liquid - stock.gone.liquid)};
+  // What is more came in, what is less has gone.
+  const double solids = stock.held.solids - (stock.came.solids - stock.gone.solids);
+  const double liquid = stock.held.liquid - (stock.came.liquid - stock.gone.liquid);
+  came_ += {std::max(0.0, solids), std::max(0.0, liquid)};
+  gone_ += {std::max(0.0, -solids), std::max(0.0, -liquid)};
 }
 
 void FixParcels::setup(int) {
