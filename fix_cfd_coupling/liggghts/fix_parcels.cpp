@@ -348,7 +348,11 @@ void FixParcels::admit(int k, const gasgrain::NewParcel& parcel) {
 void FixParcels::set_film(int k, double mass, double volume) {
   const auto n = static_cast<std::size_t>(k);
   const double whole = solid_volume_[n] + volume;
+  const double before = atom->rmass[k];
   atom->rmass[k] = known_mass_[n] = solid_mass_[n] + mass;
+  // The force of this step moves it for the first half of the next one, too: a droplet that has
+  // given its liquid away keeps its acceleration, or its core would be shot out of the box.
+  for (int d = 0; d < 3; ++d) atom->f[k][d] *= atom->rmass[k] / before;
   atom->radius[k] = std::cbrt(0.75 / M_PI * whole);
   atom->density[k] = atom->rmass[k] / whole;
 }
