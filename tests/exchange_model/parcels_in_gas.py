@@ -113,6 +113,21 @@ class Bed(unittest.TestCase):
                 self.assertLess(row["p[9]"], 1e-12)
 
 
+    def test_droplets_that_give_all_their_liquid_away_stay_where_the_gas_takes_their_cores(self):
+        # the bed is denser than the exchange's close packing: collisions without number
+        jet = ("fix e all collisional_exchange close_packing 0.1 species water density 998\n"
+               "fix j all parcels/inject at 0.003 0.01 0.015 direction 1 0 0 speed 5 mass_flow 1e-3 size constant 1e-4 "
+               "liquid 998 water 1 parcels_per_second 4000\n")
+        with GasScene(bed()) as scene:
+            _, history = scene.run_parcels(steps=20, gas=0, extra=jet)
+            self.assertEqual(history[-1]["parcels"], 768 + 40)
+            last = scene.dump("last.dump")
+            cores = np.array([last[n] for n in range(769, 809)])
+            # within the cells beside the nozzle's
+            self.assertLess(np.abs(cores[:, :3] - (0.005, 0.01, 0.015)).max(), 0.006)
+            self.assertLess(np.abs(cores[:, 3:]).max(), 1.0)
+
+
 class Falling(unittest.TestCase):
     RADIUS, DENSITY = 25e-6, 2000.0
 

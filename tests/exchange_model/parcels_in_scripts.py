@@ -196,6 +196,16 @@ class Injection(unittest.TestCase):
                             self.assertLess(abs(again[name] - value), ROUND_OFF * abs(value) + 1e-30, name)
                     self.assertLess(again["p[9]"], ROUND_OFF)
 
+    def test_a_checkpoint_within_a_run_goes_on_as_if_nothing_had_happened(self):
+        # The host computes forces anew after a restart, with the velocities of the whole step. Only the limiter
+        # of the stress looks at them (and drag, which is not here).
+        script = self.script(drops="to 0.013").replace("walls", "stress off walls")
+        with Scene(self.SIZE, types=2) as scene:
+            scene.run(script + "restart 15 half.*.restart\n" + dump(self.COLUMNS, 40) + "run 40\n", boundary="f f f")
+            whole = scene.dump("last.dump")
+            scene.run(script + dump(self.COLUMNS, 40) + "run 25\n", boundary="f f f", start="read_restart half.15.restart\n")
+            self.assertLess(largest_difference(scene.dump("last.dump"), whole), 1e-11)
+
     def test_another_timestep_or_step_number_and_a_late_source_do_not_change_the_flow(self):
         sums = thermo("atoms f_p[5] f_p[9] f_feed[1] f_feed[2] f_feed[5]")
         with Scene(self.SIZE, types=2) as scene:
