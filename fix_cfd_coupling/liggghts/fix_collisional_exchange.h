@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "fix_cfd_coupling/dem_physics/collisional_exchange/collisional_exchange.h"
-#include "fix_cfd_coupling/liggghts/exchange_profile.h"
+#include "fix_cfd_coupling/dem_physics/collisional_exchange/exchange_profile.h"
 #include "fix_cfd_coupling/liggghts/rank_cells.h"
 // --
 #include "fix.h"

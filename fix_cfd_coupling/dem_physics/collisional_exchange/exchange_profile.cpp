@@ -1,4 +1,4 @@
-#include "fix_cfd_coupling/liggghts/exchange_profile.h"
+#include "fix_cfd_coupling/dem_physics/collisional_exchange/exchange_profile.h"
 
 #include <algorithm>
 #include <cmath>
