@@ -82,9 +82,24 @@ std::string every_to_write(double advised, double dt) {
   return fmt::format("Write 'every {}'.", round_number_below(advised / dt));
 }
 
+namespace {
+
+// Of a rank's parcels, the mean [kg]; 0 of grains.
+double mean_parcel_mass(const ParticleView& particles) {
+  if (particles.parcel_size == nullptr || particles.count == 0) return 0.0;
+  double sum = 0.0;
+  for (std::size_t p = 0; p < particles.count; ++p) sum += particles.N(p) * particles.mass[p];
+  return sum / static_cast<double>(particles.count);
+}
+
+}  // namespace
+
 IntervalNeed interval_need(const ParticleView& particles, const ExchangeRecords& records,
                            const IntervalGas& gas) {
   IntervalNeed need;
+  // What a droplet leaves of itself follows the gas at once, and is too little to throw it about.
+  constexpr double share_of_no_weight = 1e-3;
+  const double least_mass = share_of_no_weight * mean_parcel_mass(particles);
   const Vec3 per_cell = gas.grid.spacing().cwiseInverse();
   for (std::size_t p = 0; p < particles.count; ++p) {
     const double rate = particles.v(p).cwiseAbs().cwiseProduct(per_cell).maxCoeff();
@@ -92,7 +107,7 @@ IntervalNeed interval_need(const ParticleView& particles, const ExchangeRecords&
     if (gas.void_fraction == nullptr) continue;
     const double K = records.K(p);
     const double mass = particles.mass[p];
-    if (K * gas.interval < a_of_no_interest * mass) continue;
+    if (K * gas.interval < a_of_no_interest * mass || particles.N(p) * mass < least_mass) continue;
     const Array3<double>& eps = *gas.void_fraction;
     Int3 cell;
     for (int d = 0; d < 3; ++d)

@@ -19,7 +19,8 @@
 // it grows where F > 0: in air a > 0.59 at 60 % of solids, 1.07 at 45 %, 2.3 at 30 %, nowhere below
 // 19 %. Half of that is advised. Assumes: coupled in turn, model A, the pressure gradient on, one
 // step of the gas an interval, grains free to move (contacts and weight hold a packed bed down:
-// there the limit is on the safe side), above 55 % of solids q < 0.4. Overlapped, what a grain
+// there the limit is on the safe side; parcels of less than a thousandth of the mean parcel's
+// mass are left out), above 55 % of solids q < 0.4. Overlapped, what a grain
 // feels is an interval older; T is taken twice.
 #pragma once
 

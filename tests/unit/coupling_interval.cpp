@@ -108,6 +108,29 @@ TEST(coupling_interval, a_grain_in_a_dense_bed_asks_for_half_of_the_drag_limit) 
   EXPECT_FALSE(grain.need(2e-3).too_long(2e-3));
 }
 
+TEST(coupling_interval, what_a_droplet_leaves_of_itself_asks_for_nothing) {
+  OneGrain grain;
+  const double x[6] = {5.5e-3, 5e-3, 5e-3, 5.5e-3, 5e-3, 5e-3};
+  const double v[6] = {};
+  const double radius[2] = {grain.radius, 1e-10};
+  const double mass[2] = {grain.mass, 1e-26};
+  double parcel_size[2] = {1000.0, 1000.0};
+  ParticleView view;
+  view.count = 2;
+  view.position = x;
+  view.velocity = v;
+  view.radius = radius;
+  view.mass = mass;
+  view.parcel_size = parcel_size;
+  ExchangeRecords records;
+  records.resize(2);
+  records.K(1) = mass[1] / 1e-9;
+  EXPECT_FALSE(interval_need(view, records, {1.2, grain.grid, &grain.eps, 2e-3}).too_long(2e-3));
+  // As many of them as weigh something do.
+  parcel_size[1] = 1e24;
+  EXPECT_TRUE(interval_need(view, records, {1.2, grain.grid, &grain.eps, 2e-3}).too_long(2e-3));
+}
+
 TEST(coupling_interval, needs_of_ranks_join_to_the_stricter_of_each) {
   IntervalNeed a;
   a.crossing_rate = 10.0;
