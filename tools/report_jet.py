@@ -125,7 +125,8 @@ def table(runs, begin):
 
 
 def draw_slices(runs, file, pictures=5):
-    figure, axes = plt.subplots(len(runs), pictures, figsize=(3.0 * pictures, 4.4 * len(runs)), squeeze=False)
+    figure, axes = plt.subplots(len(runs), pictures, figsize=(2.6 * pictures, 3.4 * len(runs)), squeeze=False,
+                                sharex=True, sharey=True, layout="constrained")
     for row, run in zip(axes, runs):
         for axis, n in zip(row, np.linspace(len(run.moments) / pictures, len(run.moments), pictures).astype(int) - 1):
             moment = run.moments[n]
