@@ -12,7 +12,8 @@
 
 namespace gasgrain {
 
-inline std::array<AxisWeights, 3> trilinear_axes(const TileFrame& frame, const Vec3& x) {
+[[gnu::always_inline]] inline std::array<AxisWeights, 3> trilinear_axes(const TileFrame& frame,
+                                                                        const Vec3& x) {
   std::array<AxisWeights, 3> axes;
   for (int d = 0; d < 3; ++d) {
     const double s = frame.in_cells(x[d], d) - 0.5;

@@ -84,12 +84,8 @@ void ForceLoop::apply(const ParticleView& particles, ExchangeRecords& records,
     add_steady(block, particles, records, host, share * dt);
     costs_.pass_done(costs_.row_of_every_step());
     add_motions(block, particles, records, host, share * dt);
-    if (added_mass_ || basset_)
-      solve_motion<true>(block, particles, records, host.force, dt, share);
-    else if (own_drag_)
-      solve_motion<false>(block, particles, records, host.force, dt, share);
-    else
-      continue;
+    if (!added_mass_ && !basset_ && !own_drag_) continue;
+    solve(block, particles, records, host.force, dt, share);
     costs_.solve_done();
   }
 }
@@ -163,7 +159,23 @@ double ForceLoop::add_motion(const Motion& motion, Block block, const ParticleVi
   return work;
 }
 
-template <bool with_inertia>
+void ForceLoop::solve(Block block, const ParticleView& particles, ExchangeRecords& records,
+                      double* force, double dt, double share) {
+  const bool inertia = added_mass_ || memory_;
+  if (particles.parcel_size == nullptr) {
+    if (inertia)
+      solve_motion<true, false>(block, particles, records, force, dt, share);
+    else
+      solve_motion<false, false>(block, particles, records, force, dt, share);
+  } else {
+    if (inertia)
+      solve_motion<true, true>(block, particles, records, force, dt, share);
+    else
+      solve_motion<false, true>(block, particles, records, force, dt, share);
+  }
+}
+
+template <bool with_inertia, bool parcels>
 void ForceLoop::solve_motion(Block block, const ParticleView& particles, ExchangeRecords& records,
                              double* force, double dt, double share) {
   double impulse[3] = {0.0, 0.0, 0.0};
@@ -174,7 +186,7 @@ void ForceLoop::solve_motion(Block block, const ParticleView& particles, Exchang
   for (std::size_t p = block.begin; p < block.end; ++p) {
     const double K = own_drag_ ? records.K(p) : 0.0;
     const double mass = particles.mass[p];
-    const double N = particles.N(p);
+    [[maybe_unused]] const double N = parcels ? particles.parcel_size[p] : 1.0;
     [[maybe_unused]] double virtual_mass = 0.0;
     [[maybe_unused]] double history_mass = 0.0;
     [[maybe_unused]] Vec3 history = Vec3::Zero();
@@ -190,6 +202,7 @@ void ForceLoop::solve_motion(Block block, const ParticleView& particles, Exchang
     const double less = less_by_response(K * dt / (mass + added));
     const auto u = records.u(p);
     auto taken = records.taken(p);
+    double of_drag = 0.0;
     for (int d = 0; d < 3; ++d) {
       double& total = force[3 * p + d];
       const double pull = K * (u[d] - particles.velocity[3 * p + d]);
@@ -204,15 +217,16 @@ void ForceLoop::solve_motion(Block block, const ParticleView& particles, Exchang
         const double of_history = history_mass * rate[d] + history[d];
         virtual_mass_work += N * std::abs(of_virtual_mass);
         history_work += N * std::abs(of_history);
-        drag_work += N * std::abs(gain - of_virtual_mass - of_history);
+        of_drag += std::abs(gain - of_virtual_mass - of_history);
       } else {
         gain = pull + less * (pull + total);
-        drag_work += N * std::abs(gain);
+        of_drag += std::abs(gain);
       }
       total += gain;
       taken[d] += gain * share * dt;
       impulse[d] += N * gain;
     }
+    drag_work += N * of_drag;
     // The first half of a step after a start is no step of the memory.
     if constexpr (with_inertia)
       if (memory_ && share == 1.0) memory_->advance(records.row(p) + layout.history, rate);
@@ -254,10 +268,7 @@ void ForceLoop::time_solve(Block block, const ParticleView& particles,
       std::copy(records.row(block.begin), records.row(block.end), copies.row(0));
       std::vector<double> forces(force + 3 * block.begin, force + 3 * block.end);
       const WallClock clock;
-      if (trial.added_mass_ || trial.memory_)
-        trial.solve_motion<true>({0, count}, some, copies, forces.data(), dt, 1.0);
-      else
-        trial.solve_motion<false>({0, count}, some, copies, forces.data(), dt, 1.0);
+      trial.solve({0, count}, some, copies, forces.data(), dt, 1.0);
       shortest = std::min(shortest, clock.seconds());
     }
     return shortest;

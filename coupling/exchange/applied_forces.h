@@ -69,7 +69,9 @@ class ForceLoop {
   template <class Motion>
   double add_motion(const Motion& motion, Block block, const ParticleView& particles,
                     ExchangeRecords& records, const HostForces& host, double duration);
-  template <bool with_inertia>
+  void solve(Block block, const ParticleView& particles, ExchangeRecords& records, double* force,
+             double dt, double share);
+  template <bool with_inertia, bool parcels>
   void solve_motion(Block block, const ParticleView& particles, ExchangeRecords& records,
                     double* force, double dt, double share);
 

@@ -162,7 +162,7 @@ DragRefresh refresh_drag(const ParticleView& particles, const ParticleWeights& w
           eps = std::clamp(eps + self.alone * self.own_solids, least_drag_void_fraction, 1.0);
           const auto coefficient = [&](const Vec3& v) __attribute__((always_inline)) {
             const Vec3 slip = records.u(p) - v;
-            const auto by_law = [&](double growth) {
+            const auto by_law = [&](double growth) __attribute__((always_inline)) {
               const double d = 2.0 * particles.radius[p];
               const double speed = growth * slip.norm();
               const double K = effects.drag_factor *
