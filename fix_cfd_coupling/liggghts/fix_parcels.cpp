@@ -199,8 +199,10 @@ void FixParcels::put_inside_walls() {
       if (grid.periodic[d]) continue;
       const double gap = std::min(atom->radius[k], 0.25 * grid.spacing()[d]);
       double& x = atom->x[k][d];
+      const double before = x;
       if (settings_.walls.side[d][0] && x < grid.lo[d]) x = grid.lo[d] + gap;
       if (settings_.walls.side[d][1] && x >= grid.hi[d]) x = grid.hi[d] - gap;
+      if (x != before) put_inside_ += 1.0;
     }
 }
 
@@ -258,6 +260,7 @@ void FixParcels::initial_integrate(int) {
     limits_.limited += limited_now_;
     limits_.stopped += static_cast<double>(report.stopped);
     limits_.cut += static_cast<double>(report.cut_at_tile);
+    if (report.all_held) limits_.held_steps += 1.0;
     limits_.most_passes = std::max(limits_.most_passes, report.passes);
     limits_.greatest_fraction = std::max(limits_.greatest_fraction, fraction_now_);
     limits_.lost_momentum += report.lost_momentum;
@@ -365,9 +368,10 @@ void FixParcels::tell(const std::string& text) const {
 
 // What acted at the limits of the model, once a run.
 void FixParcels::post_run() {
-  double sums[5] = {limits_.limited, limits_.stopped, limits_.cut, limits_.stress_limited,
-                    limits_.redirect_limited};
-  MPI_Allreduce(MPI_IN_PLACE, sums, 5, MPI_DOUBLE, MPI_SUM, world);
+  double sums[6] = {limits_.limited,        limits_.stopped,          limits_.cut,
+                    limits_.stress_limited, limits_.redirect_limited, put_inside_};
+  put_inside_ = 0.0;
+  MPI_Allreduce(MPI_IN_PLACE, sums, 6, MPI_DOUBLE, MPI_SUM, world);
   const double fraction = gasgrain::session().local.max(limits_.greatest_fraction);
   show();
   tell(
@@ -379,9 +383,12 @@ void FixParcels::post_run() {
   };
   say(sums[0], "ways of parcels were shortened at close packing");
   say(sums[1], "of them were brought to rest");
+  say(limits_.most_passes, "passes at most a step were needed for that");
+  say(limits_.held_steps, "steps in which no parcel moved, as no ways were found that fit");
   say(sums[2], "ways were longer than a cell and were cut: take a shorter timestep");
   say(sums[3], "components of the stress were limited by the mean velocity");
   say(sums[4], "parcels were in cells whose return to isotropy was limited to its share");
+  say(sums[5], "coordinates beyond a wall were put inside before the run");
 }
 
 }  // namespace LAMMPS_NS

@@ -106,6 +106,7 @@ class FixParcels : public Fix {
     double damped_energy = 0.0;                             // [J]
     double limited = 0.0, stopped = 0.0, cut = 0.0, stress_limited = 0.0, redirect_limited = 0.0;
     int most_passes = 0;
+    double held_steps = 0.0;
     double greatest_fraction = 0.0;
   };
 
@@ -133,6 +134,7 @@ class FixParcels : public Fix {
   std::vector<double> known_mass_;    // [kg], with the film, as this fix knows it
   Account came_, gone_;               // of this rank, since the balance began
   Limits limits_;
+  double put_inside_ = 0.0;  // coordinates beyond walls, before this run
   double limited_now_ = 0.0;
   double fraction_now_ = 0.0;
   std::array<double, 15> shown_{};
