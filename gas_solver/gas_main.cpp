@@ -200,6 +200,7 @@ int main(int argc, char** argv) {
       const gasgrain::Launch launch(gasgrain::Program::gas);
       local = launch.local();
       status = gasgrain::run(options, launch);
+      launch.end();
     }
   } catch (const std::bad_alloc&) {
     gasgrain::stop(local, gasgrain::out_of_memory);

@@ -1,15 +1,14 @@
 #include "fix_cfd_coupling/liggghts/host_error.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <array>
 #include <chrono>
 #include <cstdio>
 #include <thread>
 #include <vector>
 
 #include "coupling/base/error.h"
+#include "fix_cfd_coupling/fixes/script_line.h"
 #include "fix_cfd_coupling/liggghts/host_access.h"
 #include "fix_cfd_coupling/liggghts/host_session.h"
 #include "fix_cfd_coupling/liggghts/mpi_redirect.h"
@@ -22,43 +21,6 @@ namespace gasgrain {
 namespace {
 
 LAMMPS_NS::LAMMPS* the_host = nullptr;
-
-struct ScriptLine {
-  std::string file;
-  int number = 0;
-  std::string text;
-};
-
-// Where the host reads: the open script's name from the descriptor, the line from its position.
-ScriptLine current_line() {
-  ScriptLine line;
-  if (the_host == nullptr || the_host->infile == nullptr) return line;
-  std::FILE* script = the_host->infile;
-  std::array<char, 4096> name{};
-  const auto link = fmt::format("/proc/self/fd/{}", fileno(script));
-  const auto length = readlink(link.c_str(), name.data(), name.size() - 1);
-  const long position = std::ftell(script);
-  if (length <= 0 || position < 0) return line;
-  std::FILE* again = std::fopen(name.data(), "r");
-  if (again == nullptr) return line;
-  std::string text;
-  long at = 0;
-  int c = 0;
-  while (at < position && (c = std::fgetc(again)) != EOF) {
-    ++at;
-    if (text.empty() || text.back() == '\n') {
-      text.clear();
-      ++line.number;
-    }
-    text.push_back(static_cast<char>(c));
-  }
-  std::fclose(again);
-  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
-  const std::string path = name.data();
-  line.file = path.substr(path.find_last_of('/') + 1);
-  line.text = text;
-  return line;
-}
 
 template <class Map>
 std::vector<std::string> names_of(const Map& map) {
@@ -110,13 +72,6 @@ std::string hint(const std::string& message) {
                          : fmt::format(" Did you mean \"{}\"?", nearest);
 }
 
-// What goes wrong while a fault's autopsy is written must not hide the fault.
-std::string with_fault(const std::string& message) {
-  const std::string& fault = session().fault;
-  if (fault.empty() || message.compare(0, fault.size(), fault) == 0) return message;
-  return fmt::format("{}\nNo autopsy of it: {}", fault, message);
-}
-
 void print_message(const std::string& message) {
   std::fprintf(stderr, "\ngasgrain-liggghts: error: %s%s%s\n\n", script_place().c_str(),
                with_fault(message).c_str(), hint(message).c_str());
@@ -130,9 +85,7 @@ void set_host(LAMMPS_NS::LAMMPS* host) {
 }
 
 std::string script_place() {
-  const ScriptLine line = current_line();
-  if (line.number == 0) return "";
-  return fmt::format("{}:{}: \"{}\": ", line.file, line.number, line.text);
+  return the_host == nullptr ? "" : place_in_script(the_host->infile);
 }
 
 void stop_everything(const std::string& message) {

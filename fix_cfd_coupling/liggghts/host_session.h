@@ -23,4 +23,11 @@ inline HostSession& session() {
   return the_session;
 }
 
+// What goes wrong while a fault's autopsy is written must not hide the fault.
+inline std::string with_fault(const std::string& message) {
+  const std::string& fault = session().fault;
+  if (fault.empty() || message.compare(0, fault.size(), fault) == 0) return message;
+  return fault + "\nNo autopsy of it: " + message;
+}
+
 }  // namespace gasgrain

@@ -20,7 +20,9 @@ BASE = "coupling/base/"
 EXCHANGE = "coupling/exchange/"
 TRANSPORT = "coupling/transport/"
 PHYSICS = "fix_cfd_coupling/dem_physics/"
+FIXES = "fix_cfd_coupling/fixes/"  # compiled for each host
 HOSTS = ("fix_cfd_coupling/liggghts/", "fix_cfd_coupling/lammps/")
+OF_BOTH_HOSTS = (HOSTS[0] + "host_error.h", HOSTS[0] + "host_session.h")
 
 # (where, what of ours it may include besides its own folder); the first that fits counts.
 RULES = (
@@ -29,8 +31,9 @@ RULES = (
     (TRANSPORT, (BASE, EXCHANGE)),
     ("coupling/", (BASE, EXCHANGE, TRANSPORT)),
     (PHYSICS, (BASE,)),
-    (HOSTS[0], (BASE, EXCHANGE, TRANSPORT, "coupling/", PHYSICS)),
-    (HOSTS[1], (BASE, EXCHANGE, TRANSPORT, "coupling/", PHYSICS)),
+    (FIXES, (BASE, EXCHANGE, TRANSPORT, "coupling/", PHYSICS)),
+    (HOSTS[0], (BASE, EXCHANGE, TRANSPORT, "coupling/", PHYSICS, FIXES)),
+    (HOSTS[1], (BASE, EXCHANGE, TRANSPORT, "coupling/", PHYSICS, FIXES, HOSTS[0])),
     ("gas_solver/", (BASE,)),
     ("tools/", (BASE, EXCHANGE, PHYSICS, "gas_solver/")),
     ("tests/", (BASE, EXCHANGE, TRANSPORT, "coupling/", PHYSICS, "gas_solver/", "tools/")),
@@ -66,7 +69,7 @@ def faults_of_file(root, file):
                 yield place + f'"{quoted}" is no file of ours, and only host folders see the host'
             continue
         target = own_folder(quoted)
-        if target in HOSTS and target != where:
+        if target in HOSTS and target != where and quoted not in OF_BOTH_HOSTS:
             yield place + f"nobody includes {target}"
         elif target != where and target not in allowed and not (
                 meets_coupling and target.startswith("coupling/")):

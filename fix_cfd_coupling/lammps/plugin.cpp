@@ -1,0 +1,119 @@
+// gasgrain.so, a plugin of LAMMPS: the LIST of what it adds, and its three ways in.
+//   1. `plugin load gasgrain.so`, in a LAMMPS with the PLUGIN package: calls lammpsplugin_init().
+//   2. `include gasgrain.lmp`, in one with the PYTHON package: calls gasgrain_load().
+//   3. LD_PRELOAD=gasgrain.so lmp ...: the library finds our LAMMPS::post_create().
+// `clear` in a script takes the styles away in the first two: load again after it.
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <cstring>
+
+#include "coupling/base/error.h"
+#include "fix_cfd_coupling/lammps/plugin_session.h"
+#include "fix_cfd_coupling/liggghts/host_error.h"
+#include "fix_cfd_coupling/liggghts/host_session.h"
+// --
+#include "lammps.h"
+// --
+#include "force.h"
+#include "lammpsplugin.h"
+#include "modify.h"
+#include "pair.h"
+
+namespace {
+
+using LAMMPS_NS::LAMMPS;
+
+template <class Style>
+void* make_fix(void* host, int narg, char** arg) {
+  return static_cast<LAMMPS_NS::Fix*>(new Style(static_cast<LAMMPS*>(host), narg, arg));
+}
+
+template <class Style>
+void* make_pair(void* host) {
+  return static_cast<LAMMPS_NS::Pair*>(new Style(static_cast<LAMMPS*>(host)));
+}
+
+struct FixEntry {
+  const char* name;
+  lammpsplugin_factory2* make;
+};
+struct PairEntry {
+  const char* name;
+  lammpsplugin_factory1* make;
+};
+
+// What a script may name.
+constexpr std::array<FixEntry, 0> fixes{};
+constexpr std::array<PairEntry, 0> pairs{};
+
+// Does what the PLUGIN package does, for a host without it.
+void add_to_maps(lammpsplugin_t* style, void* host_pointer) {
+  auto& host = *static_cast<LAMMPS*>(host_pointer);
+  if (std::strcmp(style->style, "fix") == 0)
+    (*host.modify->fix_map)[style->name] =
+        reinterpret_cast<LAMMPS_NS::Modify::FixCreator>(style->creator.v2);
+  else
+    (*host.force->pair_map)[style->name] =
+        reinterpret_cast<LAMMPS_NS::Force::PairCreator>(style->creator.v1);
+}
+
+// Asked of the program that loads us, not of the headers.
+int version_of(void* host) {
+  const auto ask = reinterpret_cast<int (*)(void*)>(dlsym(RTLD_DEFAULT, "lammps_version"));
+  return ask == nullptr ? 0 : ask(host);
+}
+
+void refuse_other_versions(void* host) {
+  if (const int version = version_of(host); version != GASGRAIN_LAMMPS_VERSION) {
+    gasgrain::set_host(nullptr);  // what is where in it is not known
+    gasgrain::stop_everything_from_here(
+        fmt::format("this gasgrain.so needs LAMMPS {}, version {}; the program that loads it is "
+                    "version {}. Use "
+                    "that one, or build gasgrain on a machine with the other.",
+                    GASGRAIN_LAMMPS_VERSION_TEXT, GASGRAIN_LAMMPS_VERSION, version));
+  }
+}
+
+}  // namespace
+
+extern "C" void lammpsplugin_init(void* host, void* handle, void* register_function) {
+  refuse_other_versions(host);
+  gasgrain::set_host(static_cast<LAMMPS*>(host));
+  try {
+    gasgrain::begin_session(*static_cast<LAMMPS*>(host));
+  } catch (const gasgrain::Error& e) {
+    gasgrain::stop_everything(e.what());
+  }
+  const auto add = reinterpret_cast<lammpsplugin_regfunc>(register_function);
+  lammpsplugin_t entry{};
+  entry.version = "29 Sep 2021";
+  entry.author = "the authors of gasgrain";
+  entry.handle = handle;
+  entry.style = "fix";
+  for (const FixEntry& fix : fixes) {
+    entry.name = entry.info = fix.name;
+    entry.creator.v2 = fix.make;
+    add(&entry, host);
+  }
+  entry.style = "pair";
+  for (const PairEntry& pair : pairs) {
+    entry.name = entry.info = pair.name;
+    entry.creator.v1 = pair.make;
+    add(&entry, host);
+  }
+}
+
+extern "C" void gasgrain_load(void* host) {
+  lammpsplugin_init(host, nullptr, reinterpret_cast<void*>(&add_to_maps));
+}
+
+// Found first by the library where this is preloaded.
+void LAMMPS_NS::LAMMPS::post_create() {
+  using PostCreate = void (*)(LAMMPS*);
+  static const auto of_library =
+      reinterpret_cast<PostCreate>(dlsym(RTLD_NEXT, "_ZN9LAMMPS_NS6LAMMPS11post_createEv"));
+  of_library(this);
+  gasgrain_load(this);
+}
