@@ -10,6 +10,7 @@
 #include <cstring>
 
 #include "coupling/base/error.h"
+#include "fix_cfd_coupling/lammps/dump_custom_vtk.h"
 #include "fix_cfd_coupling/lammps/plugin_session.h"
 #include "fix_cfd_coupling/liggghts/host_error.h"
 #include "fix_cfd_coupling/liggghts/host_session.h"
@@ -19,6 +20,7 @@
 #include "force.h"
 #include "lammpsplugin.h"
 #include "modify.h"
+#include "output.h"
 #include "pair.h"
 
 namespace {
@@ -35,6 +37,11 @@ void* make_pair(void* host) {
   return static_cast<LAMMPS_NS::Pair*>(new Style(static_cast<LAMMPS*>(host)));
 }
 
+template <class Style>
+LAMMPS_NS::Dump* make_dump(LAMMPS* host, int narg, char** arg) {
+  return new Style(host, narg, arg);
+}
+
 struct FixEntry {
   const char* name;
   lammpsplugin_factory2* make;
@@ -47,6 +54,11 @@ struct PairEntry {
 // What a script may name.
 constexpr std::array<FixEntry, 0> fixes{};
 constexpr std::array<PairEntry, 0> pairs{};
+
+// The PLUGIN package knows no dumps.
+void add_dumps(LAMMPS& host) {
+  (*host.output->dump_map)["custom/vtk"] = &make_dump<LAMMPS_NS::DumpCustomVtk>;
+}
 
 // Does what the PLUGIN package does, for a host without it.
 void add_to_maps(lammpsplugin_t* style, void* host_pointer) {
@@ -103,6 +115,7 @@ extern "C" void lammpsplugin_init(void* host, void* handle, void* register_funct
     entry.creator.v1 = pair.make;
     add(&entry, host);
   }
+  add_dumps(*static_cast<LAMMPS*>(host));
 }
 
 extern "C" void gasgrain_load(void* host) {
