@@ -37,14 +37,21 @@ Lines own_errors(const Lines& log) {
   return errors;
 }
 
-Lines host_errors(const Lines& log) {
+Lines host_errors(const Lines& log, DemHost host) {
+  const std::string name = host == DemHost::lammps ? "LAMMPS: " : "LIGGGHTS: ";
   Lines errors;
-  for (const auto& line : log)
-    if (starts_with(line, "ERROR")) add_once(errors, "LIGGGHTS: " + line);
+  bool told = false;
+  for (const auto& line : log) {
+    if (starts_with(line, "ERROR"))
+      add_once(errors, name + line);
+    else if (told && starts_with(line, "Last command: "))
+      add_once(errors, line);
+    told = starts_with(line, "ERROR");
+  }
   return errors;
 }
 
-Lines killed_ranks(const Lines& log, int dem_ranks) {
+Lines killed_ranks(const Lines& log, int dem_ranks, DemHost host) {
   static const std::regex report("process rank ([0-9]+) .*exited on signal ([0-9]+)");
   Lines sentences;
   std::smatch match;
@@ -54,7 +61,7 @@ Lines killed_ranks(const Lines& log, int dem_ranks) {
     const int signal = std::stoi(match[2]);
     const bool dem = rank < dem_ranks;
     std::string sentence = fmt::format("{} (its rank {}) was ended by signal {} ({}).",
-                                       dem ? "gasgrain-liggghts" : "gasgrain-gas",
+                                       dem ? program_name(host) : "gasgrain-gas",
                                        dem ? rank : rank - dem_ranks, signal, strsignal(signal));
     if (signal == SIGKILL) sentence += " Often the machine ran out of memory.";
     add_once(sentences, sentence);
@@ -84,13 +91,13 @@ Lines without_mpi(const Lines& log) {
 
 }  // namespace
 
-std::string failure_reason(std::istream& output, int dem_ranks) {
+std::string failure_reason(std::istream& output, int dem_ranks, DemHost host) {
   Lines log;
   for (std::string line; std::getline(output, line);) log.push_back(line);
 
-  Lines reason = killed_ranks(log, dem_ranks);
+  Lines reason = killed_ranks(log, dem_ranks, host);
   Lines words = own_errors(log);
-  if (words.empty()) words = host_errors(log);
+  if (words.empty()) words = host_errors(log, host);
   reason.insert(reason.end(), words.begin(), words.end());
   if (!reason.empty()) return fmt::format("{}", fmt::join(reason, "\n"));
 

@@ -4,9 +4,11 @@
 #include <istream>
 #include <string>
 
+#include "tools/dem_host.h"
+
 namespace gasgrain {
 
 // `output` is what the launch printed. Ranks 0 to dem_ranks - 1 of the launch are the DEM side.
-std::string failure_reason(std::istream& output, int dem_ranks);
+std::string failure_reason(std::istream& output, int dem_ranks, DemHost host = DemHost::liggghts);
 
 }  // namespace gasgrain

@@ -9,7 +9,8 @@
 namespace gasgrain {
 
 int dem_ranks(const RunOptions& options) {
-  return options.dem_ranks_given || !is_without_gas(options.scene) ? options.dem_ranks : 1;
+  return options.dem_ranks_given || !is_without_gas(options.scene, options.host) ? options.dem_ranks
+                                                                                 : 1;
 }
 
 Command launch_command(const RunOptions& options, const Programs& programs,
@@ -26,10 +27,15 @@ Command launch_command(const RunOptions& options, const Programs& programs,
   words = {programs.mpirun, "--oversubscribe", "--bind-to", "none"};
   if (geteuid() == 0) words.emplace_back("--allow-run-as-root");
 
-  const bool gas = !is_without_gas(options.scene);
+  const bool gas = !is_without_gas(options.scene, options.host);
   words.insert(words.end(), {"-np", std::to_string(dem_ranks(options)), programs.dem});
+  // A stock lmp else takes the ranks of the gas for its own.
+  if (options.host == DemHost::lammps && gas) words.insert(words.end(), {"-m", "0"});
   // What the DEM says is in run.log; a log of its own would land in the scene folder.
-  words.insert(words.end(), {"-in", "in.liggghts", "-log", "none", "-var", "out", results});
+  words.insert(words.end(),
+               {"-in", script_name(options.host), "-log", "none", "-var", "out", results});
+  if (options.host == DemHost::lammps)
+    words.insert(words.end(), {"-var", "gasgrain", programs.plugin});
   if (options.time_s)
     words.insert(words.end(), {"-var", "time", fmt::format("{}", *options.time_s)});
   if (gas) words.insert(words.end(), {"-var", "restart", std::to_string(restart_step.value_or(0))});
@@ -46,6 +52,7 @@ Command launch_command(const RunOptions& options, const Programs& programs,
 
 std::string restart_line(const RunOptions& options) {
   std::string line = fmt::format("gasgrain run {}", options.scene.string());
+  if (options.host == DemHost::lammps) line += " --host lammps";
   if (options.dem_ranks != RunOptions{}.dem_ranks)
     line += fmt::format(" --dem-ranks {}", options.dem_ranks);
   if (options.gas_ranks != RunOptions{}.gas_ranks)

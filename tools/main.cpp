@@ -22,6 +22,8 @@ constexpr const char* run_examples = R"(Examples:
       goes on from the newest checkpoint of results/spouted_bed_small
   gasgrain run inputs/spouted_bed_small --var inlet_velocity 30 --var seed 7
       sets variables of in.liggghts
+  gasgrain run inputs/spouted_bed_small --host lammps
+      the same scene in the machine's LAMMPS, by its in.lammps
   gasgrain run inputs/calibration/angle_of_repose_pile --set friction=0.3 --set quick=1
       a scene of grains alone: no gas, and what measure.toml asks for is measured
 
@@ -29,9 +31,23 @@ Ctrl-C writes a checkpoint and ends the run; a second Ctrl-C ends it at once.)";
 
 void add_run(CLI::App& app, gasgrain::RunOptions& options) {
   CLI::App* run = app.add_subcommand("run", "Checks a scene, runs it, and plots what came out");
-  run->add_option("SCENE", options.scene,
-                  "Folder with in.liggghts and gas.toml (without gas.toml: grains alone)")
+  run->add_option(
+         "SCENE", options.scene,
+         "Folder with in.liggghts (in.lammps) and gas.toml (without gas.toml: grains alone)")
       ->required();
+  run->add_option_function<std::string>(
+         "--host",
+         [&options](const std::string& name) {
+           if (name != "liggghts" && name != "lammps")
+             throw CLI::ValidationError(
+                 "--host", fmt::format("\"{}\" is unknown.{}", name,
+                                       gasgrain::suggestion(name, {"liggghts", "lammps"})));
+           options.host =
+               name == "lammps" ? gasgrain::DemHost::lammps : gasgrain::DemHost::liggghts;
+         },
+         "DEM program, whose script of the scene is run: in.liggghts or in.lammps")
+      ->type_name("liggghts|lammps")
+      ->default_str("liggghts");
   const auto* dem_ranks =
       run->add_option("--dem-ranks", options.dem_ranks,
                       "MPI ranks of the DEM side (1 for grains alone, unless given)")
@@ -54,7 +70,7 @@ void add_run(CLI::App& app, gasgrain::RunOptions& options) {
       ->capture_default_str();
   run->add_flag("--restart", options.restart, "Go on from the newest checkpoint in the folder");
   run->add_flag("--no-plots", options.no_plots, "Leave out history.png and bed.png");
-  run->add_option("--var", options.variables, "NAME VALUE: a variable of in.liggghts; repeatable")
+  run->add_option("--var", options.variables, "NAME VALUE: a variable of the script; repeatable")
       ->type_name("NAME VALUE")
       ->allow_extra_args(false);
   run->add_option_function<std::vector<std::string>>(

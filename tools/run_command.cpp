@@ -81,7 +81,7 @@ std::string restart_hint(const RunOptions& options, const fs::path& results) {
 
 void report_failure(const RunOptions& options, const ResultsFolder& results, int status) {
   std::ifstream log(results.file("run.log"));
-  const std::string reason = failure_reason(log, dem_ranks(options));
+  const std::string reason = failure_reason(log, dem_ranks(options), options.host);
   fmt::print(stderr,
              "gasgrain: error: the run failed with status {}:\n{}\n"
              "The whole output: {}\nThe results so far are readable: {}\n",
@@ -128,14 +128,14 @@ void finish_coupled(const RunOptions& options, const ResultsFolder& results, dou
 
 int run(const RunOptions& options) {
   catch_stop_requests();
-  const Programs programs = find_programs();
+  const Programs programs = find_programs(options.host);
   const auto faults = scene_faults(options, programs);
   if (stop_requests() > 0) return stopped_status;
   if (!faults.empty())
     fail("{} cannot be run:\n{}", options.scene.string(),
          indented(fmt::format("{}", fmt::join(faults, "\n"))));
 
-  const bool gas = !is_without_gas(options.scene);
+  const bool gas = !is_without_gas(options.scene, options.host);
   const ResultsFolder results(results_path(options), options.restart);
   const auto from = options.restart ? newest_checkpoint(results.path()) : std::nullopt;
   const Command command = launch_command(options, programs, results.path(), from);

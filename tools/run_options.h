@@ -7,10 +7,13 @@
 #include <utility>
 #include <vector>
 
+#include "tools/dem_host.h"
+
 namespace gasgrain {
 
 struct RunOptions {
   std::filesystem::path scene;
+  DemHost host = DemHost::liggghts;
   int dem_ranks = 2;
   int gas_ranks = 1;
   bool dem_ranks_given = false;  // by the user; a scene of grains alone else has one

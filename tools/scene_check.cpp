@@ -22,7 +22,8 @@ namespace {
 constexpr std::chrono::seconds check_limit{10};
 
 bool is_scene(const fs::path& folder) {
-  return fs::is_regular_file(folder / "in.liggghts");
+  return fs::is_regular_file(script_of(folder, DemHost::liggghts)) ||
+         fs::is_regular_file(script_of(folder, DemHost::lammps));
 }
 
 std::string absent_scene(const fs::path& scene) {
@@ -50,14 +51,18 @@ std::string absent_scene(const fs::path& scene) {
   return fmt::format("{}: there is no such scene folder.{}", scene.string(), advice);
 }
 
-void check_script(const fs::path& scene, std::vector<std::string>& faults) {
-  const fs::path script = scene / "in.liggghts";
+void check_script(const RunOptions& options, std::vector<std::string>& faults) {
+  const fs::path script = script_of(options.scene, options.host);
   if (!fs::is_regular_file(script)) {
-    faults.push_back(
-        fmt::format("{} is absent: it is the DEM side of the scene.", script.string()));
+    const DemHost other = options.host == DemHost::lammps ? DemHost::liggghts : DemHost::lammps;
+    faults.push_back(fmt::format(
+        "{} is absent: it is the DEM side of the scene.{}", script.string(),
+        !fs::is_regular_file(script_of(options.scene, other)) ? ""
+        : other == DemHost::lammps ? " The scene is written for LAMMPS: --host lammps"
+                                   : " The scene is written for LIGGGHTS: leave out --host"));
     return;
   }
-  if (is_without_gas(scene)) return;
+  if (is_without_gas(options.scene, options.host)) return;
   const ScriptScan scan(script);
   if (scan.couples) return;
   faults.insert(faults.end(), scan.misspelt.begin(), scan.misspelt.end());
@@ -87,12 +92,12 @@ void check_gas(const RunOptions& options, const Programs& programs,
                                  check_limit.count(), shell_line(check)));
   } else if (answer.status != 0) {
     std::istringstream output(answer.output);
-    faults.push_back(failure_reason(output, 0));
+    faults.push_back(failure_reason(output, 0, options.host));
   }
 }
 
 void check_variables(const RunOptions& options, std::vector<std::string>& faults) {
-  const fs::path script = options.scene / "in.liggghts";
+  const fs::path script = script_of(options.scene, options.host);
   const ScriptScan scan(script);
   const auto& known = scan.index_names;
   const auto is_known = [&](const std::string& name) {
@@ -107,7 +112,7 @@ void check_variables(const RunOptions& options, std::vector<std::string>& faults
       faults.push_back(fmt::format("{}: no line 'variable {} index ...'.{}", script.string(), name,
                                    suggestion(name, known)));
   }
-  if (options.time_s && is_without_gas(options.scene) && !is_known("time"))
+  if (options.time_s && is_without_gas(options.scene, options.host) && !is_known("time"))
     faults.push_back(
         fmt::format("--time: {} has no line 'variable time index ...': the scene's end is its own.",
                     script.string()));
@@ -148,13 +153,14 @@ void check_measure(const RunOptions& options, std::vector<std::string>& faults) 
 }  // namespace
 
 std::vector<std::string> scene_faults(const RunOptions& options, const Programs& programs) {
-  std::vector<std::string> faults = program_faults(programs, !is_without_gas(options.scene));
+  std::vector<std::string> faults =
+      program_faults(programs, !is_without_gas(options.scene, options.host));
   if (!fs::is_directory(options.scene)) {
     faults.push_back(absent_scene(options.scene));
     return faults;
   }
-  check_script(options.scene, faults);
-  if (is_without_gas(options.scene)) {
+  check_script(options, faults);
+  if (is_without_gas(options.scene, options.host)) {
     check_without_gas(options, faults);
   } else {
     check_gas(options, programs, faults);

@@ -49,8 +49,8 @@ void ScriptScan::take(const std::string& command, const std::string& place, cons
                                    suggestion(style, {coupling_style})));
 }
 
-bool is_without_gas(const fs::path& scene) {
-  const fs::path script = scene / "in.liggghts";
+bool is_without_gas(const fs::path& scene, DemHost host) {
+  const fs::path script = script_of(scene, host);
   if (fs::exists(scene / "gas.toml") || !fs::is_regular_file(script)) return false;
   const ScriptScan scan(script);
   return !scan.couples && scan.misspelt.empty();

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/dem_host.h"
+
 namespace gasgrain {
 
 struct ScriptScan {
@@ -24,6 +26,6 @@ struct ScriptScan {
 };
 
 // Whether a folder holds a scene of grains alone: a script that couples to no gas, and no gas.toml.
-bool is_without_gas(const std::filesystem::path& scene);
+bool is_without_gas(const std::filesystem::path& scene, DemHost host);
 
 }  // namespace gasgrain

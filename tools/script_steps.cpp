@@ -12,7 +12,7 @@ long last_step(const RunOptions& options) {
   try {
     auto given = options.variables;
     given.emplace_back("out", "results");
-    const DemScript script(options.scene / "in.liggghts", given);
+    const DemScript script(script_of(options.scene, options.host), given);
     long step = 0;
     for (const auto& command : script.commands()) {
       if (command.words.size() < 2) continue;
