@@ -1,13 +1,13 @@
 // Errors of our styles in LAMMPS. Its own errors end the launch through plugin_session.cpp.
-#include "fix_cfd_coupling/liggghts/host_error.h"
+#include "fix_cfd_coupling/fixes/host_error.h"
 
 #include <chrono>
 #include <cstdio>
 #include <thread>
 
+#include "fix_cfd_coupling/fixes/host_session.h"
 #include "fix_cfd_coupling/fixes/script_line.h"
 #include "fix_cfd_coupling/lammps/plugin_session.h"
-#include "fix_cfd_coupling/liggghts/host_session.h"
 // --
 #include "lammps.h"
 

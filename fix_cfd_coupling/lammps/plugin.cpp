@@ -10,10 +10,10 @@
 #include <cstring>
 
 #include "coupling/base/error.h"
+#include "fix_cfd_coupling/fixes/host_error.h"
+#include "fix_cfd_coupling/fixes/host_session.h"
 #include "fix_cfd_coupling/lammps/dump_custom_vtk.h"
 #include "fix_cfd_coupling/lammps/plugin_session.h"
-#include "fix_cfd_coupling/liggghts/host_error.h"
-#include "fix_cfd_coupling/liggghts/host_session.h"
 // --
 #include "lammps.h"
 // --

@@ -7,8 +7,8 @@
 
 #include "coupling/base/error.h"
 #include "coupling/transport/launch.h"
-#include "fix_cfd_coupling/liggghts/host_error.h"
-#include "fix_cfd_coupling/liggghts/host_session.h"
+#include "fix_cfd_coupling/fixes/host_error.h"
+#include "fix_cfd_coupling/fixes/host_session.h"
 // --
 #include "lammps.h"
 

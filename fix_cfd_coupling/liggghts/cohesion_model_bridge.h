@@ -15,8 +15,8 @@ COHESION_MODEL(COHESION_BRIDGE, bridge, 20)
 
 #include "fix_cfd_coupling/dem_physics/liquid/bridge_force.h"
 #include "fix_cfd_coupling/dem_physics/liquid/grain_bridges.h"
+#include "fix_cfd_coupling/fixes/fix_liquid.h"
 #include "fix_cfd_coupling/liggghts/contact_styles_cohesion_base.h"
-#include "fix_cfd_coupling/liggghts/fix_liquid.h"
 // --
 #include "atom.h"
 #include "fix_mesh_surface.h"
@@ -49,7 +49,7 @@ class CohesionModel<COHESION_BRIDGE> : public gasgrain::OwnCohesionModel {
     liquid_ = &LAMMPS_NS::FixLiquid::of_scene(lmp);
     if (auto* wall = dynamic_cast<LAMMPS_NS::FixWallGran*>(history_)) {
       wall_fix_ = wall;
-      wall_ = &liquid_->join_wall(*wall);
+      wall_ = &liquid_->join_wall(wall->id);
     } else {
       reach_ = liquid_->join_pairs(history_offset_);
     }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "coupling/base/error.h"
-#include "fix_cfd_coupling/liggghts/host_error.h"
+#include "fix_cfd_coupling/fixes/host_error.h"
 
 namespace LAMMPS_NS {
 class LAMMPS;

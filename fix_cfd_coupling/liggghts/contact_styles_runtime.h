@@ -10,8 +10,8 @@
 #include <memory>
 #include <string>
 
+#include "fix_cfd_coupling/fixes/host_error.h"
 #include "fix_cfd_coupling/liggghts/contact_styles_ids.h"
-#include "fix_cfd_coupling/liggghts/host_error.h"
 // --
 #include "fix_cfd_coupling/liggghts/contact_styles_cohesion.h"
 #include "fix_cfd_coupling/liggghts/contact_styles_rolling.h"

@@ -1,4 +1,4 @@
-#include "fix_cfd_coupling/liggghts/host_error.h"
+#include "fix_cfd_coupling/fixes/host_error.h"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "coupling/base/error.h"
+#include "fix_cfd_coupling/fixes/host_session.h"
 #include "fix_cfd_coupling/fixes/script_line.h"
 #include "fix_cfd_coupling/liggghts/host_access.h"
-#include "fix_cfd_coupling/liggghts/host_session.h"
 #include "fix_cfd_coupling/liggghts/mpi_redirect.h"
 // --
 #include "compute.h"

@@ -11,8 +11,8 @@
 #include "coupling/base/error.h"
 #include "coupling/base/file_locks.h"
 #include "coupling/transport/launch.h"
-#include "fix_cfd_coupling/liggghts/host_error.h"
-#include "fix_cfd_coupling/liggghts/host_session.h"
+#include "fix_cfd_coupling/fixes/host_error.h"
+#include "fix_cfd_coupling/fixes/host_session.h"
 #include "fix_cfd_coupling/liggghts/mpi_redirect.h"
 // The host's headers lean on each other's order.
 #include "lammps.h"

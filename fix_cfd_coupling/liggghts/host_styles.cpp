@@ -5,14 +5,14 @@
 // then adds.
 #include <dlfcn.h>
 
+#include "fix_cfd_coupling/fixes/fix_collisional_exchange.h"
+#include "fix_cfd_coupling/fixes/fix_couple_gas.h"
+#include "fix_cfd_coupling/fixes/fix_liquid.h"
+#include "fix_cfd_coupling/fixes/fix_parcels.h"
+#include "fix_cfd_coupling/fixes/fix_parcels_inject.h"
+#include "fix_cfd_coupling/fixes/host_error.h"
 #include "fix_cfd_coupling/liggghts/contact_styles.h"
-#include "fix_cfd_coupling/liggghts/fix_collisional_exchange.h"
-#include "fix_cfd_coupling/liggghts/fix_couple_gas.h"
-#include "fix_cfd_coupling/liggghts/fix_liquid.h"
-#include "fix_cfd_coupling/liggghts/fix_parcels.h"
-#include "fix_cfd_coupling/liggghts/fix_parcels_inject.h"
 #include "fix_cfd_coupling/liggghts/host_access.h"
-#include "fix_cfd_coupling/liggghts/host_error.h"
 
 namespace {
 

@@ -20,9 +20,10 @@ BASE = "coupling/base/"
 EXCHANGE = "coupling/exchange/"
 TRANSPORT = "coupling/transport/"
 PHYSICS = "fix_cfd_coupling/dem_physics/"
-FIXES = "fix_cfd_coupling/fixes/"  # compiled for each host
+# Compiled with the headers of either host, and with its dialect's of the same names.
+FIXES = "fix_cfd_coupling/fixes/"
 HOSTS = ("fix_cfd_coupling/liggghts/", "fix_cfd_coupling/lammps/")
-OF_BOTH_HOSTS = (HOSTS[0] + "host_error.h", HOSTS[0] + "host_session.h")
+SEES_HOST = (*HOSTS, FIXES)
 
 # (where, what of ours it may include besides its own folder); the first that fits counts.
 RULES = (
@@ -33,7 +34,7 @@ RULES = (
     (PHYSICS, (BASE,)),
     (FIXES, (BASE, EXCHANGE, TRANSPORT, "coupling/", PHYSICS)),
     (HOSTS[0], (BASE, EXCHANGE, TRANSPORT, "coupling/", PHYSICS, FIXES)),
-    (HOSTS[1], (BASE, EXCHANGE, TRANSPORT, "coupling/", PHYSICS, FIXES, HOSTS[0])),
+    (HOSTS[1], (BASE, EXCHANGE, TRANSPORT, "coupling/", PHYSICS, FIXES)),
     ("gas_solver/", (BASE,)),
     ("tools/", (BASE, EXCHANGE, PHYSICS, "gas_solver/")),
     ("tests/", (BASE, EXCHANGE, TRANSPORT, "coupling/", PHYSICS, "gas_solver/", "tools/")),
@@ -65,11 +66,11 @@ def faults_of_file(root, file):
                 yield place + f"coupling/base may not lean on <{angled}>"
             continue
         if not (root / quoted).is_file():
-            if where not in HOSTS:
+            if where not in SEES_HOST:
                 yield place + f'"{quoted}" is no file of ours, and only host folders see the host'
             continue
         target = own_folder(quoted)
-        if target in HOSTS and target != where and quoted not in OF_BOTH_HOSTS:
+        if target in HOSTS and target != where:
             yield place + f"nobody includes {target}"
         elif target != where and target not in allowed and not (
                 meets_coupling and target.startswith("coupling/")):
@@ -142,6 +143,19 @@ class IncludeRules(unittest.TestCase):
         self.assert_caught("nobody includes fix_cfd_coupling/liggghts/",
                            fix_cfd_coupling__liggghts__a___h="",
                            fix_cfd_coupling__lammps__b___h='#include "fix_cfd_coupling/liggghts/a.h"')
+
+    def test_fixes_that_include_a_host_folder_are_caught_and_those_that_include_a_dialect_are_not(self):
+        self.assert_caught("nobody includes fix_cfd_coupling/liggghts/",
+                           fix_cfd_coupling__liggghts__a___h="",
+                           fix_cfd_coupling__fixes__b___h='#include "fix_cfd_coupling/liggghts/a.h"',
+                           fix_cfd_coupling__fixes__c___h='#include "dialect_fix.h"\n#include "fix.h"')
+
+    def test_physics_that_includes_a_fix_is_caught_and_a_host_folder_that_does_is_not(self):
+        line = '#include "fix_cfd_coupling/fixes/a.h"'
+        self.assert_caught("dem_physics/ may not include fix_cfd_coupling/fixes/",
+                           fix_cfd_coupling__fixes__a___h="",
+                           fix_cfd_coupling__dem_physics__b___h=line,
+                           fix_cfd_coupling__lammps__b___h=line)
 
 
 if __name__ == "__main__":

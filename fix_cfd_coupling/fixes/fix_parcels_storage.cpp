@@ -4,13 +4,12 @@
 #include <cmath>
 #include <cstring>
 
-#include "fix_cfd_coupling/liggghts/fix_parcels.h"
-#include "fix_cfd_coupling/liggghts/host_error.h"
-#include "fix_cfd_coupling/liggghts/host_session.h"
+#include "fix_cfd_coupling/fixes/fix_parcels.h"
+#include "fix_cfd_coupling/fixes/host_error.h"
+#include "fix_cfd_coupling/fixes/host_session.h"
 // --
 #include "atom.h"
 #include "comm.h"
-#include "fix_property_atom.h"
 #include "update.h"
 
 namespace LAMMPS_NS {
@@ -32,6 +31,7 @@ void FixParcels::grow_arrays(int size) {
   solid_mass_.resize(static_cast<std::size_t>(size));
   solid_volume_.resize(static_cast<std::size_t>(size));
   known_mass_.resize(static_cast<std::size_t>(size));
+  exchanges(record_size);
 }
 
 void FixParcels::copy_arrays(int from, int to, int) {
@@ -43,6 +43,7 @@ void FixParcels::copy_arrays(int from, int to, int) {
 void FixParcels::set_arrays(int parcel) {
   solid_mass_[static_cast<std::size_t>(parcel)] = 0.0;
   solid_volume_[static_cast<std::size_t>(parcel)] = 0.0;
+  size_.begin_grain(parcel);
 }
 
 int FixParcels::pack_exchange(int parcel, double* buffer) {
@@ -105,7 +106,7 @@ void FixParcels::restart(char* data) {
 FixParcels::Masses FixParcels::masses_of(int k) const {
   const double core = solid_mass_[static_cast<std::size_t>(k)];
   if (core == 0.0) return {};
-  const double size = size_->vector_atom[k];
+  const double size = size_[k];
   return {size * core, size * (atom->rmass[k] - core)};
 }
 
@@ -114,7 +115,7 @@ FixParcels::Stock FixParcels::take_stock() const {
   gasgrain::ExactSum particles;
   for (int k = 0; k < atom->nlocal; ++k) {
     held += masses_of(k);
-    particles += size_->vector_atom[k];
+    particles += size_[k];
   }
   const Masses h = held.value(), c = came_.value(), g = gone_.value();
   double all[8] = {static_cast<double>(atom->nlocal),

@@ -1,7 +1,7 @@
 // fix ID all liquid KEYWORD VALUE...
 //
 // The liquid of the scene: films on the grains and walls, and the rules by which `cohesion bridge`
-// of `pair_style gran` and of `fix wall/gran` makes bridges of them. LIGGGHTS's dialect only: the
+// of `pair_style gran` and of `fix wall/gran` makes bridges of them. The
 // physics is in dem_physics/liquid, the keywords in liquid_settings.h.
 //
 // Films are the property `liquidFilm` [m3] of the grains: `set ... property/atom liquidFilm V`
@@ -22,22 +22,18 @@
 #include "fix_cfd_coupling/dem_physics/liquid/liquid_settings.h"
 #include "fix_cfd_coupling/dem_physics/liquid/wall_bridges.h"
 // --
-#include "fix.h"
+#include "dialect_contacts.h"
+#include "dialect_fix.h"
+#include "dialect_grain_scalar.h"
 
 namespace LAMMPS_NS {
 
-class FixPropertyAtom;
-class FixWallGran;
-class PairGran;
-
-class FixLiquid : public Fix {
+class FixLiquid : public HostFix {
  public:
   FixLiquid(LAMMPS* host, int narg, char** arg);
   ~FixLiquid() override;
 
   int setmask() override;
-  void post_create() override;
-  void pre_delete(bool unfixed) override;
   void init() override;
   void setup_pre_exchange() override;
   void setup_pre_force(int) override;
@@ -58,8 +54,6 @@ class FixLiquid : public Fix {
   int maxsize_restart() override;
   void write_restart(FILE* file) override;
   void restart(char* data) override;
-  int pack_comm(int count, int* list, double* buffer, int, int*) override;
-  void unpack_comm(int count, int first, double* buffer) override;
 
   double compute_vector(int n) override;
   double memory_usage() override;
@@ -69,7 +63,7 @@ class FixLiquid : public Fix {
   // The pair style has bridges: their place in the history of a contact. Returns the greatest gap
   // of a bridge, over r_i + r_j, for which the host's lists are made; 0: there is no liquid at all.
   double join_pairs(int history_offset);
-  gasgrain::liquid::WallBridges& join_wall(FixWallGran& wall);
+  gasgrain::liquid::WallBridges& join_wall(const std::string& wall_id);
 
   [[nodiscard]] bool wet() const { return wet_; }
   [[nodiscard]] bool periodic() const { return periodic_; }
@@ -79,6 +73,12 @@ class FixLiquid : public Fix {
   double& held_back() { return held_back_; }
   // From k to i, the same to the last digit whoever owns them.
   [[nodiscard]] gasgrain::Vec3 between(int i, int k) const;
+
+ protected:
+  void make_properties() override;
+  void remove_properties() override;
+  void pack_ghosts(int count, const int* list, double* buffer) override;
+  void unpack_ghosts(int count, int first, const double* buffer) override;
 
  private:
   // Film of a grain that was inserted and has not met the fix yet; no film is negative.
@@ -91,7 +91,7 @@ class FixLiquid : public Fix {
   void meet_new_grains();
   void publish_films();
   // fix_liquid_reach.cpp
-  void show_far_enough(FixWallGran& wall, const gasgrain::liquid::WallBridges& bridges);
+  void show_far_enough(double shown_within, const gasgrain::liquid::WallBridges& bridges);
   // fix_liquid_changes.cpp
   void leave_box(bool from_list);
   void dissolve_bridges_of_renumbered_grains();
@@ -103,7 +103,6 @@ class FixLiquid : public Fix {
   void record();
   [[nodiscard]] gasgrain::liquid::LiquidTotals totals_of_rank() const;
   gasgrain::liquid::LiquidTotals take_stock();
-  void store_bridges() const;
   void warn(const gasgrain::liquid::LiquidTotals& totals, double residual);
   template <class F>
   void for_each_bridge(const F& f) const;
@@ -119,8 +118,8 @@ class FixLiquid : public Fix {
   gasgrain::liquid::LiquidLedger ledger_;
   std::vector<double> number_;            // of an owned grain, as it was in the last step; 0: new
   std::vector<gasgrain::Vec3> position_;  // of the owner, before any periodic image
-  FixPropertyAtom* film_ = nullptr;
-  PairGran* pairs_ = nullptr;
+  GrainScalar film_;
+  gasgrain::HostContacts contacts_;
   int history_offset_ = -1;
   bool wet_ = false;
   bool periodic_ = false;

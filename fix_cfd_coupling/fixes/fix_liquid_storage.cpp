@@ -4,8 +4,8 @@
 #include <cstring>
 
 #include "coupling/base/error.h"
-#include "fix_cfd_coupling/liggghts/fix_liquid.h"
-#include "fix_cfd_coupling/liggghts/host_error.h"
+#include "fix_cfd_coupling/fixes/fix_liquid.h"
+#include "fix_cfd_coupling/fixes/host_error.h"
 // --
 #include "atom.h"
 #include "comm.h"
@@ -42,6 +42,7 @@ void FixLiquid::grow_arrays(int size) {
   position_.resize(grains);
   number_.resize(grains);
   for (auto& wall : walls_) wall->resize(grains);
+  exchanges(size_restart(0));
   const int before = grown_to_;
   memory->grow(array_atom, size, 2, "fix_liquid:array_atom");
   for (int k = before; k < size; ++k) array_atom[k][0] = array_atom[k][1] = 0.0;
@@ -58,6 +59,7 @@ void FixLiquid::copy_arrays(int from, int to, int) {
 void FixLiquid::set_arrays(int grain) {
   films_.grant(grain) = {};
   number_[static_cast<std::size_t>(grain)] = 0.0;
+  film_.begin_grain(grain);
   for (auto& wall : walls_) wall->slot(grain) = {};
   array_atom[grain][0] = array_atom[grain][1] = 0.0;
 }

@@ -1,4 +1,4 @@
-#include "fix_cfd_coupling/liggghts/fix_parcels.h"
+#include "fix_cfd_coupling/fixes/fix_parcels.h"
 
 #include <cmath>
 #include <cstring>
@@ -7,14 +7,15 @@
 #include "coupling/base/error.h"
 #include "fix_cfd_coupling/dem_physics/parcels/return_to_isotropy.h"
 #include "fix_cfd_coupling/dem_physics/parcels/velocity_damping.h"
-#include "fix_cfd_coupling/liggghts/host_error.h"
-#include "fix_cfd_coupling/liggghts/host_session.h"
+#include "fix_cfd_coupling/fixes/host_error.h"
+#include "fix_cfd_coupling/fixes/host_session.h"
 // --
 #include "atom.h"
 #include "atom_vec.h"
 #include "comm.h"
+#include "dialect_density.h"
+#include "dialect_words.h"
 #include "domain.h"
-#include "fix_property_atom.h"
 #include "force.h"
 #include "modify.h"
 #include "neighbor.h"
@@ -56,7 +57,7 @@ FixParcels* FixParcels::of_scene(LAMMPS* host) {
 }
 
 FixParcels::FixParcels(LAMMPS* host, int narg, char** arg)
-    : Fix(host, narg, arg),
+    : HostFix(host, narg, arg),
       settings_(settings_of(host, narg, arg)),
       stress_(settings_),
       motion_(settings_.close_packing) {
@@ -88,17 +89,12 @@ int FixParcels::setmask() {
          FixConst::POST_RUN;
 }
 
-void FixParcels::post_create() {
-  size_ = static_cast<FixPropertyAtom*>(
-      modify->find_fix_property(property, "property/atom", "scalar", 0, 0, style, false));
-  if (size_ != nullptr) return;
-  const char* words[] = {property, "all", "property/atom", property, "scalar", "yes", "no",
-                         "no",     "-1."};
-  size_ = modify->add_fix_property_atom(9, const_cast<char**>(words), style);
+void FixParcels::make_properties() {
+  size_.make(*this, *modify, property, unmet);
 }
 
-void FixParcels::pre_delete(bool unfixed) {
-  if (unfixed) modify->delete_fix(property);
+void FixParcels::remove_properties() {
+  size_.remove(*modify);
 }
 
 void FixParcels::check_scene() const {
@@ -107,7 +103,8 @@ void FixParcels::check_scene() const {
         "fix parcels: parcels have no contacts, but the script has a pair_style. Take it away, or "
         "write 'pair_style none'.");
   if (atom->radius_flag == 0 || atom->rmass_flag == 0)
-    gasgrain::stop_everything("fix parcels needs spheres: 'atom_style granular' (or sphere).");
+    gasgrain::stop_everything(
+        fmt::format("fix parcels needs spheres: {}.", gasgrain::words::sphere_style));
   for (int n = 0; n < modify->nfix; ++n)
     if (modify->fix[n] != this && modify->fix[n]->time_integrate != 0)
       gasgrain::stop_everything(
@@ -118,8 +115,7 @@ void FixParcels::check_scene() const {
 
 void FixParcels::init() {
   check_scene();
-  size_ = static_cast<FixPropertyAtom*>(
-      modify->find_fix_property(property, "property/atom", "scalar", 0, 0, style));
+  size_.find(*this, *modify);
   try {
     if (cells_ == nullptr)
       cells_ = std::make_unique<gasgrain::RankCells>(
@@ -130,7 +126,7 @@ void FixParcels::init() {
 }
 
 const double* FixParcels::sizes() const {
-  return size_->vector_atom;
+  return size_.values();
 }
 
 gasgrain::ParcelView FixParcels::view() const {
@@ -142,7 +138,7 @@ gasgrain::ParcelView FixParcels::view() const {
   parcels.radius = atom->radius;
   parcels.mass = atom->rmass;
   parcels.solid_volume = solid_volume_.data();
-  parcels.particles = size_->vector_atom;
+  parcels.particles = size_.values();
   parcels.number = atom->tag;
   return parcels;
 }
@@ -152,7 +148,7 @@ void FixParcels::meet_new_parcels() {
   for (int k = 0; k < atom->nlocal; ++k) {
     double& core = solid_mass_[static_cast<std::size_t>(k)];
     if (core != 0.0) continue;
-    double& size = size_->vector_atom[k];
+    double& size = size_[k];
     if (size == unmet) size = settings_.particles;
     const double r = atom->radius[k];
     core = known_mass_[static_cast<std::size_t>(k)] = atom->rmass[k];
@@ -164,7 +160,7 @@ void FixParcels::meet_new_parcels() {
 // What the script may have done to them before this run.
 void FixParcels::check_parcels() const {
   for (int k = 0; k < atom->nlocal; ++k) {
-    const double size = size_->vector_atom[k];
+    const double size = size_[k];
     if (!(size > 0.0) || !std::isfinite(size))
       gasgrain::stop_everything_from_here(
           fmt::format("the {} of atom {} is {}: give the number of particles, above 0.", property,
@@ -214,8 +210,8 @@ void FixParcels::setup_pre_exchange() {
 }
 
 void FixParcels::setup_pre_force(int) {
-  // Else the host gives both their values of a new atom once more, after this.
-  just_created = size_->just_created = 0;
+  grains_have_values();
+  size_.grains_have_values();
   meet_new_parcels();
   check_parcels();
 }
@@ -337,14 +333,14 @@ void FixParcels::end_of_step() {
 
 void FixParcels::admit(int k, const gasgrain::NewParcel& parcel) {
   const auto n = static_cast<std::size_t>(k);
-  size_->vector_atom[k] = parcel.particles;
+  size_[k] = parcel.particles;
   solid_mass_[n] = parcel.solid_mass;
   solid_volume_[n] = parcel.solid_volume;
   double film = 0.0;
   for (const double mass : parcel.film_mass) film += mass;
   atom->radius[k] = parcel.radius;
   atom->rmass[k] = known_mass_[n] = parcel.solid_mass + film;
-  atom->density[k] = atom->rmass[k] / (4.0 / 3.0 * M_PI * std::pow(parcel.radius, 3));
+  gasgrain::density_follows(*atom, k, 4.0 / 3.0 * M_PI * std::pow(parcel.radius, 3));
   came_ += masses_of(k);
 }
 
@@ -357,7 +353,7 @@ void FixParcels::set_film(int k, double mass, double volume) {
   // given its liquid away keeps its acceleration, or its core would be shot out of the box.
   for (int d = 0; d < 3; ++d) atom->f[k][d] *= atom->rmass[k] / before;
   atom->radius[k] = std::cbrt(0.75 / M_PI * whole);
-  atom->density[k] = atom->rmass[k] / whole;
+  gasgrain::density_follows(*atom, k, whole);
 }
 
 void FixParcels::tell(const std::string& text) const {

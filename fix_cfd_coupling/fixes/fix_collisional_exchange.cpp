@@ -1,4 +1,4 @@
-#include "fix_cfd_coupling/liggghts/fix_collisional_exchange.h"
+#include "fix_cfd_coupling/fixes/fix_collisional_exchange.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,13 +6,12 @@
 #include <numeric>
 
 #include "coupling/base/error.h"
-#include "fix_cfd_coupling/liggghts/fix_parcels.h"
-#include "fix_cfd_coupling/liggghts/host_error.h"
-#include "fix_cfd_coupling/liggghts/host_session.h"
+#include "fix_cfd_coupling/fixes/fix_parcels.h"
+#include "fix_cfd_coupling/fixes/host_error.h"
+#include "fix_cfd_coupling/fixes/host_session.h"
 // --
 #include "atom.h"
 #include "comm.h"
-#include "fix_property_atom.h"
 #include "memory.h"
 #include "modify.h"
 #include "neighbor.h"
@@ -57,7 +56,7 @@ FixCollisionalExchange::FixCollisionalExchange(LAMMPS* host, int narg, char** ar
 
 FixCollisionalExchange::FixCollisionalExchange(LAMMPS* host, int narg, char** arg,
                                                const Words& words)
-    : Fix(host, narg, arg),
+    : HostFix(host, narg, arg),
       settings_(words.exchange),
       profile_settings_(words.profile),
       exchange_(words.exchange) {
@@ -88,14 +87,9 @@ int FixCollisionalExchange::setmask() {
 }
 
 // The films stay when the fix is taken away: they are the grains'.
-void FixCollisionalExchange::post_create() {
+void FixCollisionalExchange::make_properties() {
   if (count_of_species() == 0) return;
-  film_ = static_cast<FixPropertyAtom*>(
-      modify->find_fix_property(property, "property/atom", "scalar", 0, 0, style, false));
-  if (film_ != nullptr) return;
-  const char* words[] = {property, "all", "property/atom", property, "scalar", "yes", "no",
-                         "no",     "0."};
-  film_ = modify->add_fix_property_atom(9, const_cast<char**>(words), style);
+  film_.make(*this, *modify, property, 0.0);
 }
 
 void FixCollisionalExchange::check_scene() const {
@@ -123,9 +117,7 @@ void FixCollisionalExchange::check_scene() const {
 void FixCollisionalExchange::init() {
   parcels_ = FixParcels::of_scene(lmp);
   check_scene();
-  if (count_of_species() > 0)
-    film_ = static_cast<FixPropertyAtom*>(
-        modify->find_fix_property(property, "property/atom", "scalar", 0, 0, style));
+  if (film_) film_.find(*this, *modify);
   try {
     if (cells_ == nullptr) {
       const auto own =
@@ -142,9 +134,8 @@ void FixCollisionalExchange::init() {
 }
 
 void FixCollisionalExchange::setup_pre_force(int) {
-  // Else the host gives both their values of a new atom once more, after this.
-  just_created = 0;
-  if (film_ != nullptr) film_->just_created = 0;
+  grains_have_values();
+  if (film_) film_.grains_have_values();
   checked_ = false;
   // Parcels take their films' mass on before the gas and the balance of fix parcels see them.
   if (parcels_ != nullptr) take_films();
@@ -174,7 +165,7 @@ void FixCollisionalExchange::admit(int k, const std::vector<double>& film_mass) 
   const std::size_t species = count_of_species();
   if (species == 0) return;
   std::copy_n(film_mass.begin(), species, mass_.begin() + static_cast<std::ptrdiff_t>(k * species));
-  known_[static_cast<std::size_t>(k)] = film_->vector_atom[k] = film_volume(k);
+  known_[static_cast<std::size_t>(k)] = film_[k] = film_volume(k);
   show(k);
 }
 
@@ -182,7 +173,7 @@ void FixCollisionalExchange::admit(int k, const std::vector<double>& film_mass) 
 // nothing is of the first species.
 void FixCollisionalExchange::take_film(int k) {
   const auto n = static_cast<std::size_t>(k);
-  const double given = film_->vector_atom[k];
+  const double given = film_[k];
   if (given == known_[n]) return;
   const double sphere = 4.0 / 3.0 * M_PI * std::pow(atom->radius[k], 3);
   if (!std::isfinite(given) || given < -round_off * sphere)
@@ -222,7 +213,7 @@ void FixCollisionalExchange::give_films() {
   for (int k = 0; k < atom->nlocal && species > 0; ++k) {
     const auto n = static_cast<std::size_t>(k);
     const double volume = film_volume(k);
-    if (volume != known_[n]) film_->vector_atom[k] = known_[n] = volume;
+    if (volume != known_[n]) film_[k] = known_[n] = volume;
     const double* mass = mass_.data() + n * species;
     if (parcels_ != nullptr)
       parcels_->set_film(k, std::accumulate(mass, mass + species, 0.0), volume);

@@ -1,13 +1,13 @@
-#include "fix_cfd_coupling/liggghts/fix_parcels_inject.h"
+#include "fix_cfd_coupling/fixes/fix_parcels_inject.h"
 
 #include <cstring>
 #include <string>
 
 #include "coupling/base/error.h"
-#include "fix_cfd_coupling/liggghts/fix_collisional_exchange.h"
-#include "fix_cfd_coupling/liggghts/fix_parcels.h"
-#include "fix_cfd_coupling/liggghts/host_error.h"
-#include "fix_cfd_coupling/liggghts/host_session.h"
+#include "fix_cfd_coupling/fixes/fix_collisional_exchange.h"
+#include "fix_cfd_coupling/fixes/fix_parcels.h"
+#include "fix_cfd_coupling/fixes/host_error.h"
+#include "fix_cfd_coupling/fixes/host_session.h"
 // --
 #include "atom.h"
 #include "atom_vec.h"
@@ -18,7 +18,7 @@
 
 namespace LAMMPS_NS {
 
-FixParcelsInject::FixParcelsInject(LAMMPS* host, int narg, char** arg) : Fix(host, narg, arg) {
+FixParcelsInject::FixParcelsInject(LAMMPS* host, int narg, char** arg) : HostFix(host, narg, arg) {
   try {
     parcels_ = FixParcels::of_scene(lmp);
     if (parcels_ == nullptr)

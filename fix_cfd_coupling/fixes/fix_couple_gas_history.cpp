@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "coupling/exchange/bed_measures.h"
-#include "fix_cfd_coupling/liggghts/fix_couple_gas.h"
-#include "fix_cfd_coupling/liggghts/host_session.h"
+#include "fix_cfd_coupling/fixes/fix_couple_gas.h"
+#include "fix_cfd_coupling/fixes/host_session.h"
 // --
 #include "atom.h"
 #include "domain.h"

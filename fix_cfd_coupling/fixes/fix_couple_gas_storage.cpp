@@ -2,9 +2,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "fix_cfd_coupling/liggghts/fix_couple_gas.h"
-#include "fix_cfd_coupling/liggghts/host_error.h"
-#include "fix_cfd_coupling/liggghts/host_session.h"
+#include "fix_cfd_coupling/fixes/fix_couple_gas.h"
 // --
 #include "atom.h"
 #include "comm.h"
@@ -20,6 +18,7 @@ constexpr bigint stored_format = 4;
 
 void FixCoupleGas::grow_arrays(int size) {
   records_.resize(static_cast<std::size_t>(size));
+  exchanges(records_.layout().size);
 }
 
 void FixCoupleGas::copy_arrays(int from, int to, int) {

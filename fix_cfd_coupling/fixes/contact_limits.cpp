@@ -1,25 +1,24 @@
-#include "fix_cfd_coupling/liggghts/contact_limits.h"
+#include "fix_cfd_coupling/fixes/contact_limits.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
-#include <set>
 #include <vector>
 
 #include "fix_cfd_coupling/dem_physics/contact_step.h"
 #include "fix_cfd_coupling/dem_physics/contact_time.h"
 // --
 #include "atom.h"
+#include "dialect_gravity.h"
+#include "dialect_materials.h"
+#include "dialect_walls.h"
+#include "dialect_words.h"
 #include "domain.h"
-#include "fix_gravity.h"
-#include "fix_property_global.h"
-#include "fix_wall_gran.h"
 #include "force.h"
 #include "modify.h"
-#include "pair_gran.h"
 #include "update.h"
 
 namespace gasgrain {
@@ -29,46 +28,20 @@ using namespace LAMMPS_NS;
 
 constexpr double none = std::numeric_limits<double>::infinity();
 
-// The script's material numbers; types count from 1.
-class Materials {
- public:
-  explicit Materials(LAMMPS& host) : modify_(*host.modify), types_(host.atom->ntypes) {}
-
-  // Null when the script has none: the host then says so itself where it needs it.
-  [[nodiscard]] FixPropertyGlobal* find(const char* name, const char* kind) const {
-    const bool pair = std::strcmp(kind, "peratomtypepair") == 0;
-    const bool scalar = std::strcmp(kind, "scalar") == 0;
-    return static_cast<FixPropertyGlobal*>(
-        modify_.find_fix_property(name, "property/global", kind, scalar ? 0 : types_,
-                                  pair ? types_ : 0, "couple/gas", false));
-  }
-
- private:
-  Modify& modify_;
-  int types_;
-};
-
 enum class NormalModel { hertz, hooke, hooke_stiffness, hertz_stiffness, unread };
 
-NormalModel model_of(PairGran& pair) {
-  if (pair.contact_match("normal", "hertz")) return NormalModel::hertz;
-  if (pair.contact_match("normal", "hooke")) return NormalModel::hooke;
-  if (pair.contact_match("normal", "hooke/stiffness")) return NormalModel::hooke_stiffness;
-  if (pair.contact_match("normal", "hertz/stiffness")) return NormalModel::hertz_stiffness;
+constexpr std::array<const char*, 4> model_names{"hertz", "hooke", "hooke/stiffness",
+                                                 "hertz/stiffness"};
+
+NormalModel model_of(LAMMPS& host) {
+  const std::string name = normal_model_among(host, model_names);
+  for (std::size_t n = 0; n < model_names.size(); ++n)
+    if (name == model_names[n]) return static_cast<NormalModel>(n);
   return NormalModel::unread;
 }
 
 const char* name_of(NormalModel model) {
-  switch (model) {
-    case NormalModel::hertz:
-      return "hertz";
-    case NormalModel::hooke:
-      return "hooke";
-    case NormalModel::hooke_stiffness:
-      return "hooke/stiffness";
-    default:
-      return "hertz/stiffness";
-  }
+  return model_names[static_cast<std::size_t>(model)];
 }
 
 // A grain, or a wall.
@@ -93,16 +66,15 @@ struct Collision {
 
 class ContactReader {
  public:
-  ContactReader(LAMMPS& host, NormalModel model, double speed)
-      : model_(model), speed_(speed), materials_(host) {
+  ContactReader(LAMMPS& host, NormalModel model, double speed) : model_(model), speed_(speed) {
     const char* pairs = "peratomtypepair";
     if (model == NormalModel::hertz || model == NormalModel::hooke) {
-      youngs_ = materials_.find("youngsModulus", "peratomtype");
-      poisson_ = materials_.find("poissonsRatio", "peratomtype");
-      restitution_ = materials_.find("coefficientRestitution", pairs);
-      velocity_ = materials_.find("characteristicVelocity", "scalar");
+      youngs_ = find_material(host, "youngsModulus", "peratomtype");
+      poisson_ = find_material(host, "poissonsRatio", "peratomtype");
+      restitution_ = find_material(host, "coefficientRestitution", pairs);
+      velocity_ = find_material(host, "characteristicVelocity", "scalar");
     } else {
-      kn_ = materials_.find("kn", pairs);
+      kn_ = find_material(host, "kn", pairs);
     }
   }
 
@@ -150,12 +122,11 @@ class ContactReader {
  private:
   NormalModel model_;
   double speed_;
-  Materials materials_;
-  FixPropertyGlobal* youngs_ = nullptr;
-  FixPropertyGlobal* poisson_ = nullptr;
-  FixPropertyGlobal* restitution_ = nullptr;
-  FixPropertyGlobal* velocity_ = nullptr;
-  FixPropertyGlobal* kn_ = nullptr;
+  Fix* youngs_ = nullptr;
+  Fix* poisson_ = nullptr;
+  Fix* restitution_ = nullptr;
+  Fix* velocity_ = nullptr;
+  Fix* kn_ = nullptr;
 };
 
 // The smallest grain of each type on all ranks; types without grains are left out.
@@ -180,16 +151,8 @@ std::vector<Body> smallest_grains(LAMMPS& host, const Communicator& local) {
 }
 
 std::vector<Body> walls(LAMMPS& host) {
-  std::set<int> types;
-  for (int n = 0; n < host.modify->nfix; ++n) {
-    if (std::strcmp(host.modify->fix[n]->style, "wall/gran") != 0) continue;
-    const auto& wall = *static_cast<FixWallGran*>(host.modify->fix[n]);
-    if (!wall.is_mesh_wall()) types.insert(wall.atom_type_wall());
-    for (int m = 0; wall.is_mesh_wall() && m < wall.n_meshes(); ++m)
-      types.insert(wall.mesh_list()[m]->atomTypeWall());
-  }
   std::vector<Body> bodies;
-  for (const int type : types)
+  for (const int type : wall_types(host))
     if (type >= 1 && type <= host.atom->ntypes) bodies.push_back({type, none, none, false});
   return bodies;
 }
@@ -210,15 +173,11 @@ double expected_speed(LAMMPS& host, const Communicator& local) {
     square = std::max(square, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
   }
   square = local.max(square);
-  for (int n = 0; n < host.modify->nfix; ++n) {
-    if (std::strcmp(host.modify->fix[n]->style, "gravity") != 0) continue;
-    double g[3];
-    static_cast<FixGravity*>(host.modify->fix[n])->get_gravity(g);
-    double fall = 0.0;
-    for (int d = 0; d < 3; ++d)
-      fall += 2.0 * std::abs(g[d]) * (host.domain->boxhi[d] - host.domain->boxlo[d]);
-    square = std::max(square, fall);
-  }
+  const Vec3 g = gravity_of(*host.modify);
+  double fall = 0.0;
+  for (int d = 0; d < 3; ++d)
+    fall += 2.0 * std::abs(g[d]) * (host.domain->boxhi[d] - host.domain->boxlo[d]);
+  square = std::max(square, fall);
   constexpr double where_nothing_moves = 1.0;  // [m/s]
   return square > 0.0 ? std::sqrt(square) : where_nothing_moves;
 }
@@ -244,16 +203,14 @@ ContactVerdict judge_contacts(LAMMPS& host, const Communicator& local) {
   const std::vector<Body> grains = smallest_grains(host, local);
   verdict.had_grains = !grains.empty();
   if (grains.empty() || host.force->pair == nullptr || !grains_move(host)) return verdict;
-  auto* pair = static_cast<PairGran*>(host.force->pair_match("gran", 0));
-  const NormalModel model = pair == nullptr ? NormalModel::unread : model_of(*pair);
+  const NormalModel model = model_of(host);
   const double speed = expected_speed(host, local);
   const ContactReader reader(host, model, speed);
   if (model == NormalModel::unread || !reader.complete()) {
     verdict.warning = fmt::format(
         "the contact model of 'pair_style {} ...' is not among those whose contact duration is "
-        "known here (gran model hertz, hooke, hooke/stiffness, hertz/stiffness): nobody checks "
-        "that 'timestep {:g}' is short enough for it.",
-        host.force->pair_style, host.update->dt);
+        "known here ({}): nobody checks that 'timestep {:g}' is short enough for it.",
+        host.force->pair_style, words::contact_models, host.update->dt);
     return verdict;
   }
   std::vector<Body> partners = grains;

@@ -2,32 +2,19 @@
 #include <algorithm>
 
 #include "coupling/audit_report.h"
-#include "fix_cfd_coupling/liggghts/fix_couple_gas.h"
-#include "fix_cfd_coupling/liggghts/host_session.h"
+#include "fix_cfd_coupling/fixes/fix_couple_gas.h"
+#include "fix_cfd_coupling/fixes/host_session.h"
 // --
 #include "comm.h"
-#include "fix_gravity.h"
+#include "dialect_gravity.h"
 #include "modify.h"
 #include "update.h"
 
 namespace LAMMPS_NS {
 
-namespace {
-
-double gravity_of(const Modify& modify) {
-  for (int n = 0; n < modify.nfix; ++n)
-    if (auto* gravity = dynamic_cast<FixGravity*>(modify.fix[n])) {
-      gasgrain::Vec3 g;
-      gravity->get_gravity(g.data());
-      return g.norm();
-    }
-  return 0.0;
-}
-
-}  // namespace
-
 gasgrain::AuditSetting FixCoupleGas::audit_setting() const {
-  return {coupled_->properties(), gravity_of(*modify), every_ * update->dt, overlapped_};
+  return {coupled_->properties(), gasgrain::gravity_of(*modify).norm(), every_ * update->dt,
+          overlapped_};
 }
 
 // A look costs a tenth of a coupling: where that is every few DEM steps, one in `steps_a_look`

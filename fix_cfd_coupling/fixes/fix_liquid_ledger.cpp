@@ -6,15 +6,13 @@
 
 #include "coupling/base/error.h"
 #include "fix_cfd_coupling/dem_physics/liquid/saturation.h"
-#include "fix_cfd_coupling/liggghts/fix_liquid.h"
-#include "fix_cfd_coupling/liggghts/fix_liquid_bridges.h"
-#include "fix_cfd_coupling/liggghts/host_access.h"
-#include "fix_cfd_coupling/liggghts/host_error.h"
+#include "fix_cfd_coupling/fixes/fix_liquid.h"
+#include "fix_cfd_coupling/fixes/fix_liquid_bridges.h"
+#include "fix_cfd_coupling/fixes/host_error.h"
 // --
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
-#include "fix_property_atom.h"
 #include "update.h"
 
 namespace LAMMPS_NS {
@@ -26,7 +24,7 @@ LiquidTotals FixLiquid::totals_of_rank() const {
   LiquidTotals t;
   long double films = 0.0, bridges = 0.0, on_walls = 0.0;
   for (int k = 0; k < atom->nlocal; ++k) {
-    films += film_->vector_atom[k];
+    films += film_[k];
     for (const auto& wall : walls_) on_walls += std::max(0.0, wall->slot(k).bridge.volume);
     t.solid += solid_volume(k);
     if (!wet_) continue;
@@ -151,15 +149,8 @@ void FixLiquid::warn(const LiquidTotals& t, double residual) {
   }
 }
 
-// The host stores contacts when the next run begins, from a list of grains that the script may have
-// deleted meanwhile. It does so at once here.
-void FixLiquid::store_bridges() const {
-  if (FixContactHistory* stored = pairs_->get_fix_history(); stored != nullptr)
-    gasgrain::store_contacts_now(*stored);
-}
-
 void FixLiquid::post_run() {
-  store_bridges();
+  contacts_.store_now();
   if (update->ntimestep != shown_at_) record();
   const auto tell = [&](const std::string& text) {
     if (comm->me == 0) error->warning(FLERR, text.c_str());

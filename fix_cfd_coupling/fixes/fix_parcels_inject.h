@@ -3,7 +3,7 @@
 // A source of parcels: droplets or solids from a nozzle, or a feed through a face of the box. One
 // fix a source; it stands after fix parcels and, where it injects liquid, after
 // fix collisional_exchange, whose species it names (without one: the single species `liquid`).
-// LIGGGHTS's dialect only: the physics is in dem_physics/parcels/injection.h, the keywords in
+// The physics is in dem_physics/parcels/injection.h, the keywords in
 // injection_settings.h. Times are those of the run: steps times the timestep when the source first
 // runs, from then on its own clock, which neither another timestep nor reset_timestep sets. Nothing
 // comes in for the time before it first runs.
@@ -17,14 +17,14 @@
 
 #include "fix_cfd_coupling/dem_physics/parcels/injection.h"
 // --
-#include "fix.h"
+#include "dialect_fix.h"
 
 namespace LAMMPS_NS {
 
 class FixCollisionalExchange;
 class FixParcels;
 
-class FixParcelsInject : public Fix {
+class FixParcelsInject : public HostFix {
  public:
   FixParcelsInject(LAMMPS* host, int narg, char** arg);
 

@@ -2,8 +2,8 @@
 // restarts. The volume of a film is a property of the host's.
 #include <algorithm>
 
-#include "fix_cfd_coupling/liggghts/fix_collisional_exchange.h"
-#include "fix_cfd_coupling/liggghts/host_error.h"
+#include "fix_cfd_coupling/fixes/fix_collisional_exchange.h"
+#include "fix_cfd_coupling/fixes/host_error.h"
 // --
 #include "atom.h"
 #include "memory.h"
@@ -15,6 +15,7 @@ void FixCollisionalExchange::grow_arrays(int size) {
   mass_.resize(atoms * count_of_species());
   known_.resize(atoms);
   if (settings_.film_temperature) temperature_.resize(atoms, *settings_.film_temperature);
+  exchanges(1 + size_peratom_cols);
   if (size_peratom_cols == 0) return;
   memory->grow(array_atom, size, size_peratom_cols, "collisional_exchange:array_atom");
   for (int k = grown_to_; k < size; ++k) std::fill_n(array_atom[k], size_peratom_cols, 0.0);
@@ -32,6 +33,7 @@ void FixCollisionalExchange::set_arrays(int particle) {
   const std::size_t species = count_of_species();
   std::fill_n(mass_.begin() + static_cast<std::ptrdiff_t>(n * species), species, 0.0);
   known_[n] = 0.0;
+  film_.begin_grain(particle);
   if (settings_.film_temperature) temperature_[n] = *settings_.film_temperature;
   show(particle);
 }

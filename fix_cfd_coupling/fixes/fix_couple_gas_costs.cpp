@@ -3,13 +3,11 @@
 #include <cstring>
 #include <fstream>
 
-#include "fix_cfd_coupling/liggghts/fix_couple_gas.h"
-#include "fix_cfd_coupling/liggghts/host_session.h"
+#include "fix_cfd_coupling/fixes/fix_couple_gas.h"
+#include "fix_cfd_coupling/fixes/host_session.h"
 // --
 #include "comm.h"
 #include "modify.h"
-#include "timer.h"
-#include "update.h"
 
 namespace LAMMPS_NS {
 
@@ -26,12 +24,11 @@ constexpr FixTask fix_tasks[] = {{"wall/", "walls"},
                                  {"parcels/inject", "insertion"},
                                  {"parcels", "parcels"},
                                  {"collisional_exchange", "collisional exchange"}};
-constexpr const char* other_fixes = "other fixes";
 
 const char* task_of(const char* style) {
   for (const FixTask& each : fix_tasks)
     if (std::strncmp(style, each.style, std::strlen(each.style)) == 0) return each.task;
-  return other_fixes;
+  return "other fixes";
 }
 
 }  // namespace
@@ -44,30 +41,19 @@ void FixCoupleGas::begin_setup_costs() {
 void FixCoupleGas::end_setup_costs() {
   auto& costs = coupled_->costs();
   costs.charge(costs.task("setup"), costs.age() - costs.named() - setup_begin_);
-  // The host times each fix when it is asked to, here for the run only: else it would list them
-  // all.
-  times_fixes_ = modify->timing == 0;
-  if (times_fixes_) modify->timing = 1;
-  // It begins anew with each run, but only after this.
-  for (int n = 0; n < modify->nfix; ++n) modify->fix[n]->reset_time_recording();
+  named_before_ = costs.named();
+  host_clocks_.begin_run(*modify);
 }
 
 // Ours has tasks of its own.
-void FixCoupleGas::charge_fixes() {
-  auto& costs = coupled_->costs();
-  for (int n = 0; n < modify->nfix; ++n)
-    if (const Fix& fix = *modify->fix[n]; &fix != this)
-      costs.charge(costs.task(task_of(fix.style)), fix.get_recorded_time());
-}
-
 void FixCoupleGas::take_host_costs() {
   auto& costs = coupled_->costs();
-  costs.charge(costs.task("pair forces"), timer->array[TIME_PAIR]);
-  costs.charge(costs.task("neighbour lists"), timer->array[TIME_NEIGHBOR]);
-  costs.charge(costs.task("DEM communication"), timer->array[TIME_COMM]);
-  costs.charge(costs.task("output"), timer->array[TIME_OUTPUT]);
-  charge_fixes();
-  if (times_fixes_) modify->timing = 0;
+  host_clocks_.end_run(
+      *modify, *timer, this, costs.named() - named_before_,
+      [&](const char* task, double seconds) { costs.charge(costs.task(task), seconds); },
+      [&](const char* of_fix, double seconds) {
+        costs.charge(costs.task(task_of(of_fix)), seconds);
+      });
 }
 
 // The end of the run: both sides' ledgers become ledger.json.

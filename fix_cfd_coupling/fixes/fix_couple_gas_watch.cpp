@@ -4,16 +4,17 @@
 #include <cmath>
 
 #include "fix_cfd_coupling/dem_physics/contact_step.h"
-#include "fix_cfd_coupling/liggghts/contact_limits.h"
-#include "fix_cfd_coupling/liggghts/fix_couple_gas.h"
-#include "fix_cfd_coupling/liggghts/host_access.h"
-#include "fix_cfd_coupling/liggghts/host_session.h"
+#include "fix_cfd_coupling/fixes/contact_limits.h"
+#include "fix_cfd_coupling/fixes/fix_couple_gas.h"
+#include "fix_cfd_coupling/fixes/host_session.h"
 // --
 #include "atom.h"
 #include "comm.h"
+#include "dialect_lost.h"
+#include "dialect_restart.h"
+#include "dialect_words.h"
 #include "domain.h"
 #include "update.h"
-#include "write_restart.h"
 
 namespace LAMMPS_NS {
 
@@ -83,10 +84,10 @@ void FixCoupleGas::watch_grains_that_move_on() {
     fault = fmt::format("{} {}. {}", found.not_finite, at(moment()), shaken_apart);
   else if (found.outside > 0 && !may_leave)
     fault = fmt::format(
-        "{} {}: a lost particle. Likely there is no wall ('fix wall/gran'), or the grain was "
+        "{} {}: a lost particle. Likely there is no wall ('{}'), or the grain was "
         "pressed or shot through it: then raise youngsModulus, or lower 'timestep'. Where grains "
         "are to leave, write 'thermo_modify lost ignore'.",
-        found.first, at(moment()));
+        found.first, at(moment()), gasgrain::words::grain_wall);
   else if (!found.jumped.empty())
     fault = fmt::format("{} {}: a lost particle. {}", found.jumped, at(moment()), shaken_apart);
   guarded([&] { gasgrain::share_fault(gasgrain::session().local, fault); });
@@ -173,8 +174,8 @@ void FixCoupleGas::stop_with_autopsy(const std::string& fault) {
   atom->natoms =
       static_cast<bigint>(gasgrain::session().local.sum(static_cast<long>(atom->nlocal)));
   const bigint step = update->ntimestep;
-  auto name = fmt::format("{}/checkpoint/autopsy.dem.{}.restart", output_, step);
-  WriteRestart(lmp).write(name.data());
+  const auto name = fmt::format("{}/checkpoint/autopsy.dem.{}.restart", output_, step);
+  gasgrain::write_restart_file(*lmp, name);
   const std::string gas =
       no_gas_autopsy_.empty()
           ? fmt::format("{}/checkpoint/autopsy.gas.{}.h5", output_, step)

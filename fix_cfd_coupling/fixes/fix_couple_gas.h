@@ -2,9 +2,8 @@
 //                       EFFECTS...
 //
 // Couples the bed with the gas solver of the same launch, or with one inside this program.
-// LIGGGHTS's dialect only: the physics is in coupling/exchange, the story of a step in
-// coupling/coupled_step. The words after the keywords are the scene's effects
-// (coupling/exchange/effects.h).
+// The physics is in coupling/exchange, the story of a step in coupling/coupled_step. The words
+// after the keywords are the scene's effects (coupling/exchange/effects.h).
 //   every N     DEM steps between two couplings
 //   start STEP  the gas starts at this step; before it the bed is packed without gas (default: at
 //   once)
@@ -26,21 +25,21 @@
 #include "coupling/exchange/particle_exchange.h"
 #include "coupling/run_history.h"
 #include "coupling/run_watch.h"
-#include "fix_cfd_coupling/liggghts/host_error.h"
+#include "fix_cfd_coupling/fixes/host_error.h"
 // --
-#include "fix.h"
+#include "dialect_clocks.h"
+#include "dialect_fix.h"
 
 namespace LAMMPS_NS {
 
 class FixParcels;
 
-class FixCoupleGas : public Fix {
+class FixCoupleGas : public HostFix {
  public:
   FixCoupleGas(LAMMPS* host, int narg, char** arg);
   ~FixCoupleGas() override;
 
   int setmask() override;
-  void post_create() override;
   void init() override;
   void setup_pre_exchange() override;
   void setup(int) override;
@@ -66,6 +65,9 @@ class FixCoupleGas : public Fix {
 
   // Of the gas.
   [[nodiscard]] const gasgrain::BoxGrid& grid() const { return coupled_->grid(); }
+
+ protected:
+  void begin() override;
 
  private:
   // What a restart file holds beside the records of the particles; the ledger's sums follow it.
@@ -113,7 +115,6 @@ class FixCoupleGas : public Fix {
   // Costs, fix_couple_gas_costs.cpp.
   void begin_setup_costs();
   void end_setup_costs();
-  void charge_fixes();
   void take_host_costs();
   void tell_costs();
   // The audit: fix_couple_gas_audit.cpp
@@ -159,8 +160,9 @@ class FixCoupleGas : public Fix {
   std::string no_gas_autopsy_;  // why
   long left_box_ = 0;           // grains of this rank since the last line, where they may
   IntervalWatch interval_watch_;
-  bool times_fixes_ = false;  // for the cost ledger, not for the user
-  double setup_begin_ = 0.0;  // age of the cost ledger less what has names [s]
+  gasgrain::HostClocks host_clocks_;
+  double setup_begin_ = 0.0;   // age of the cost ledger less what has names [s]
+  double named_before_ = 0.0;  // what had names when the run began [s]
 };
 
 // Errors that ranks meet during the run end the launch with one message.

@@ -2,17 +2,13 @@
 #include <algorithm>
 
 #include "coupling/base/error.h"
-#include "fix_cfd_coupling/liggghts/fix_liquid.h"
-#include "fix_cfd_coupling/liggghts/host_error.h"
+#include "fix_cfd_coupling/fixes/fix_liquid.h"
+#include "fix_cfd_coupling/fixes/host_error.h"
 // --
 #include "atom.h"
 #include "comm.h"
+#include "dialect_walls.h"
 #include "error.h"
-#include "fix_mesh_surface.h"
-#include "fix_property_atom.h"
-#include "fix_wall_gran.h"
-#include "neighbor.h"
-#include "tri_mesh.h"
 
 namespace LAMMPS_NS {
 
@@ -46,7 +42,7 @@ double FixLiquid::join_pairs(int history_offset) {
   };
   double found = settings_.content.value_or(0.0) > 0.0 ? reach_of(1.0, most) : 0.0;
   for (int k = 0; k < atom->nlocal; ++k) {
-    double film = film_->vector_atom[k];
+    double film = film_[k];
     if (film == unmet_) film = settings_.film_at_first(atom->radius[k]);
     most = std::max(most, film);
     if (film > 0.0) found = std::max(found, reach_of(atom->radius[k], film));
@@ -65,45 +61,40 @@ double FixLiquid::join_pairs(int history_offset) {
   reach_ = reach;
   // That of walls is known after this in a first run, and here in the next or after a restart: the
   // lists, and with them the order of sums, are then the same.
-  neighbor->register_contact_dist_factor(1.0 + std::max(reach_, wall_reach_));
+  gasgrain::show_contacts_within(*lmp, 1.0 + std::max(reach_, wall_reach_));
   return reach_;
 }
 
-WallBridges& FixLiquid::join_wall(FixWallGran& wall) {
+WallBridges& FixLiquid::join_wall(const std::string& wall_id) {
+  const gasgrain::WallFacts wall = gasgrain::wall_facts(*lmp, wall_id.c_str());
   WallBridges* found = nullptr;
   for (auto& known : walls_)
-    if (known->id() == wall.id) found = known.get();
+    if (known->id() == wall_id) found = known.get();
   const bool is_new = found == nullptr;
   if (is_new) {
-    found = walls_.emplace_back(std::make_unique<WallBridges>(wall.id)).get();
+    found = walls_.emplace_back(std::make_unique<WallBridges>(wall_id)).get();
     found->resize(static_cast<std::size_t>(atom->nmax));
   }
   for (const auto& setting : settings_.walls) {
-    if (setting.id != wall.id || found->film().holds()) continue;
-    double area = setting.area.value_or(0.0);
-    if (!setting.area)
-      for (int n = 0; n < wall.n_meshes(); ++n)
-        area += wall.mesh_list()[n]->triMesh()->areaMeshGlobal();
+    if (setting.id != wall_id || found->film().holds()) continue;
+    const double area = setting.area ? *setting.area : wall.mesh_area.value_or(0.0);
     if (!(area > 0.0))
       gasgrain::stop_everything(fmt::format(
           "fix liquid: 'wall {} mesh' is no wall of meshes: give its area in m2 in the place of "
           "'mesh'.",
-          wall.id));
+          wall_id));
     found->film().area = area;
     found->film().volume = setting.film;
     if (resumed_ || ledger_.at_first > 0.0) ledger_.came_in += setting.film;
   }
-  if (wall.is_mesh_wall() && wall.n_meshes() > 0)
-    found->type = wall.mesh_list()[0]->atomTypeWall() - 1;
-  else
-    found->type = wall.atom_type_wall() - 1;
-  show_far_enough(wall, *found);
+  found->type = wall.type - 1;
+  show_far_enough(wall.shown_within, *found);
   return *found;
 }
 
-// The host shows a wall to a grain within its contact distance, which is counted in radii, and a
-// primitive wall within the skin as it was when the lists were made, half of it for certain.
-void FixLiquid::show_far_enough(FixWallGran& wall, const WallBridges& bridges) {
+// `shown_within`: the gap [m] at which the host shows the wall for certain; without end where that
+// is the distance of contacts, which is counted in radii.
+void FixLiquid::show_far_enough(double shown_within, const WallBridges& bridges) {
   double longest[2] = {0.0, 0.0};  // [m], over the radius
   const double share = settings_.given_share.value_or(gasgrain::liquid::shadow_share_of_wall);
   const auto reach_of = [&](double radius, int type, double volume) {
@@ -117,7 +108,7 @@ void FixLiquid::show_far_enough(FixWallGran& wall, const WallBridges& bridges) {
           longest[1], reach_margin * reach_of(1.0, type, settings_.film_at_first(1.0) * share));
   for (int k = 0; k < atom->nlocal; ++k) {
     const double radius = atom->radius[k];
-    double film = film_->vector_atom[k];
+    double film = film_[k];
     if (film == unmet_) film = settings_.film_at_first(radius);
     const double volume = film * share + bridges.film().given(radius);
     if (!(volume > 0.0)) continue;
@@ -127,13 +118,13 @@ void FixLiquid::show_far_enough(FixWallGran& wall, const WallBridges& bridges) {
   }
   MPI_Allreduce(MPI_IN_PLACE, longest, 2, MPI_DOUBLE, MPI_MAX, world);
   wall_reach_ = settings_.reach.value_or(std::max(longest[1], wall_reach_));
-  neighbor->register_contact_dist_factor(1.0 + wall_reach_);
-  if (!wall.is_mesh_wall() && longest[0] > 0.5 * neighbor->skin && comm->me == 0)
+  gasgrain::show_contacts_within(*lmp, 1.0 + wall_reach_);
+  if (longest[0] > shown_within && comm->me == 0)
     error->warning(FLERR,
                    fmt::format("fix liquid: bridges to the wall '{}' reach {:.3g} m, but the host "
                                "shows a primitive wall within half of the skin only. Write "
                                "'neighbor {:.2g} bin'.",
-                               wall.id, longest[0], 2.0 * longest[0])
+                               bridges.id(), longest[0], 2.0 * longest[0])
                        .c_str());
 }
 

@@ -1,8 +1,8 @@
 // fix ID all collisional_exchange KEYWORD VALUE...
 //
 // Collisions exchange liquid, momentum and heat between the particles of a cell (O'Rourke, Zhao and
-// Snider 2009): of parcels, where the scene has fix parcels, or of grains. LIGGGHTS's dialect only:
-// the physics is in dem_physics/collisional_exchange, the keywords in exchange_settings.h.
+// Snider 2009): of parcels, where the scene has fix parcels, or of grains. The
+// physics is in dem_physics/collisional_exchange, the keywords in exchange_settings.h.
 //
 // Films are the property `liquidFilm` [m3] of one particle, the same that liquid bridges take from;
 // of several species the fix keeps the mixture, which whoever changes a film does not touch.
@@ -20,22 +20,21 @@
 
 #include "fix_cfd_coupling/dem_physics/collisional_exchange/collisional_exchange.h"
 #include "fix_cfd_coupling/dem_physics/collisional_exchange/exchange_profile.h"
-#include "fix_cfd_coupling/liggghts/rank_cells.h"
+#include "fix_cfd_coupling/fixes/rank_cells.h"
 // --
-#include "fix.h"
+#include "dialect_fix.h"
+#include "dialect_grain_scalar.h"
 
 namespace LAMMPS_NS {
 
 class FixParcels;
-class FixPropertyAtom;
 
-class FixCollisionalExchange : public Fix {
+class FixCollisionalExchange : public HostFix {
  public:
   FixCollisionalExchange(LAMMPS* host, int narg, char** arg);
   ~FixCollisionalExchange() override;
 
   int setmask() override;
-  void post_create() override;
   void init() override;
   void setup_pre_force(int) override;
   void setup(int) override;
@@ -60,6 +59,9 @@ class FixCollisionalExchange : public Fix {
   // An atom that was just made has this film [kg, of one particle, each species].
   void admit(int atom_index, const std::vector<double>& film_mass);
 
+ protected:
+  void make_properties() override;
+
  private:
   struct Words {
     gasgrain::ExchangeSettings exchange;
@@ -83,7 +85,7 @@ class FixCollisionalExchange : public Fix {
   std::unique_ptr<gasgrain::RankCells> cells_;
   std::unique_ptr<gasgrain::ExchangeProfile> profile_;
   FixParcels* parcels_ = nullptr;  // null: grains
-  FixPropertyAtom* film_ = nullptr;
+  GrainScalar film_;
   std::vector<double> mass_;          // of films [kg], atom x species
   std::vector<double> temperature_;   // [K]
   std::vector<double> known_;         // volume [m3] of the film that the masses are of

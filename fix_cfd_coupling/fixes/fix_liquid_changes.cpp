@@ -4,14 +4,13 @@
 #include <vector>
 
 #include "coupling/base/error.h"
-#include "fix_cfd_coupling/liggghts/fix_liquid.h"
-#include "fix_cfd_coupling/liggghts/fix_liquid_bridges.h"
+#include "fix_cfd_coupling/fixes/fix_liquid.h"
+#include "fix_cfd_coupling/fixes/fix_liquid_bridges.h"
 // --
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "fix_property_atom.h"
 #include "modify.h"
 
 namespace LAMMPS_NS {
@@ -43,7 +42,7 @@ void FixLiquid::dissolve_bridges_of_renumbered_grains() {
   double dissolved = 0.0;
   for (int k = 0; k < atom->nlocal; ++k)
     for_each_stored(k, [&](int, StoredBridge& b) {
-      film_->vector_atom[k] += gasgrain::liquid::given_by_i(b);
+      film_[k] += gasgrain::liquid::given_by_i(b);
       counts_.broken += 0.5;
       dissolved += 0.5;
       b.clear();
@@ -73,7 +72,7 @@ void FixLiquid::leave_box(bool from_list) {
     if (!leaves(k)) continue;
     any = leaving[static_cast<std::size_t>(k)] = true;
     gone_grains_ += 1.0;
-    if (film_->vector_atom[k] != unmet_) gone_liquid_ += film_->vector_atom[k];
+    if (film_[k] != unmet_) gone_liquid_ += film_[k];
     for (auto& wall : walls_) gone_liquid_ += std::max(0.0, wall->slot(k).bridge.volume);
     if (!from_list)
       for_each_stored(
@@ -109,7 +108,7 @@ void FixLiquid::take_back_from_lost_partners() {
     });
     for_each_stored(k, [&](int partner, const StoredBridge& b) {
       if (std::find(partners.begin(), partners.end(), partner) != partners.end()) return;
-      film_->vector_atom[k] += gasgrain::liquid::given_by_i(b);
+      film_[k] += gasgrain::liquid::given_by_i(b);
       counts_.broken += 1.0;
     });
   }
@@ -141,7 +140,7 @@ void FixLiquid::part_with_removed_walls() {
       StoredBridge& b = (*wall)->slot(k).bridge;
       if (b.stands()) {
         const auto back = (*wall)->divided(settings_, b, atom->radius[k], atom->type[k] - 1);
-        film_->vector_atom[k] += back.to_i;
+        film_[k] += back.to_i;
         gone_liquid_ += back.to_j;
       }
     }

@@ -1,8 +1,8 @@
-#include "fix_cfd_coupling/liggghts/rank_cells.h"
+#include "fix_cfd_coupling/fixes/rank_cells.h"
 
 #include "coupling/base/error.h"
-#include "fix_cfd_coupling/liggghts/fix_couple_gas.h"
-#include "fix_cfd_coupling/liggghts/host_session.h"
+#include "fix_cfd_coupling/fixes/fix_couple_gas.h"
+#include "fix_cfd_coupling/fixes/host_session.h"
 // --
 #include "domain.h"
 #include "modify.h"

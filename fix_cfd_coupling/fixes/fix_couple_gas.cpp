@@ -1,4 +1,4 @@
-#include "fix_cfd_coupling/liggghts/fix_couple_gas.h"
+#include "fix_cfd_coupling/fixes/fix_couple_gas.h"
 
 #include <algorithm>
 #include <cstring>
@@ -7,19 +7,19 @@
 
 #include "coupling/base/error.h"
 #include "coupling/transport/inner_gas.h"
-#include "fix_cfd_coupling/liggghts/fix_parcels.h"
-#include "fix_cfd_coupling/liggghts/host_error.h"
-#include "fix_cfd_coupling/liggghts/host_session.h"
+#include "fix_cfd_coupling/fixes/fix_parcels.h"
+#include "fix_cfd_coupling/fixes/host_session.h"
 // --
 #include "atom.h"
 #include "comm.h"
+#include "dialect_restart.h"
+#include "dialect_stop.h"
+#include "dialect_words.h"
 #include "domain.h"
 #include "modify.h"
 #include "neighbor.h"
-#include "signal_handling.h"
 #include "universe.h"
 #include "update.h"
-#include "write_restart.h"
 
 namespace LAMMPS_NS {
 
@@ -52,7 +52,7 @@ bool mode_is_overlapped(const std::string& mode) {
 
 }  // namespace
 
-FixCoupleGas::FixCoupleGas(LAMMPS* host, int narg, char** arg) : Fix(host, narg, arg) {
+FixCoupleGas::FixCoupleGas(LAMMPS* host, int narg, char** arg) : HostFix(host, narg, arg) {
   try {
     read_arguments(narg, arg);
   } catch (const gasgrain::Error& e) {
@@ -112,7 +112,7 @@ void FixCoupleGas::read_arguments(int narg, char** arg) {
 }
 
 // The partner is met once the box is known and, in a restart, the stored state has been read.
-void FixCoupleGas::post_create() {
+void FixCoupleGas::begin() {
   try {
     meet_partner();
   } catch (const gasgrain::Error& e) {
@@ -138,10 +138,10 @@ void FixCoupleGas::meet_partner() {
   if (!launched_with_gas && gas_input_.empty())
     gasgrain::fail(
         "couple/gas has no partner in this launch. Use 'gasgrain run SCENE', or\n"
-        "  mpirun -np 2 gasgrain-liggghts -in in.liggghts : -np 1 gasgrain-gas gas.toml\n"
+        "  mpirun -np 2 {} : -np 1 gasgrain-gas gas.toml\n"
         "or, for the gas inside this program, name its input on the line:\n"
         "  couple/gas every {} gas gas.toml ...",
-        every_);
+        gasgrain::words::dem_program, every_);
   if (session.greeted)
     gasgrain::fail("a script couples once: there is a second couple/gas line, or a 'clear'.");
   if (domain->box_exist == 0)
@@ -182,7 +182,8 @@ int FixCoupleGas::setmask() {
 void FixCoupleGas::init() {
   begin_setup_costs();
   if (atom->radius_flag == 0 || atom->rmass_flag == 0)
-    gasgrain::stop_everything("couple/gas needs spheres: 'atom_style granular' (or sphere).");
+    gasgrain::stop_everything(
+        fmt::format("couple/gas needs spheres: {}.", gasgrain::words::sphere_style));
   contacts_checked_ = false;
   parcels_ = FixParcels::of_scene(lmp);
 }
@@ -285,9 +286,9 @@ void FixCoupleGas::end_of_step() {
   auto& session = gasgrain::session();
   const gasgrain::Stopwatch watch(coupled_->costs(), coupled_->costs().task(in_step_task));
   if (session.local.max(session.stop_wanted != 0 ? 1.0 : 0.0) == 0.0) return;
-  auto name = fmt::format("{}/checkpoint/dem.{}.restart", output_, update->ntimestep);
-  WriteRestart(lmp).write(name.data());
-  SignalHandler::request_quit = true;
+  gasgrain::write_restart_file(
+      *lmp, fmt::format("{}/checkpoint/dem.{}.restart", output_, update->ntimestep));
+  gasgrain::end_runs(*lmp);
 }
 
 void FixCoupleGas::post_run() {

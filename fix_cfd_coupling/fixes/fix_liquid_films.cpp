@@ -1,10 +1,8 @@
 // Films on the grains of this rank and on its copies of others'.
-#include "fix_cfd_coupling/liggghts/fix_liquid.h"
+#include "fix_cfd_coupling/fixes/fix_liquid.h"
 // --
 #include "atom.h"
-#include "comm.h"
 #include "domain.h"
-#include "fix_property_atom.h"
 
 namespace LAMMPS_NS {
 
@@ -14,7 +12,7 @@ using gasgrain::liquid::GrainFilms;
 // Grains that the host has inserted get their film here, where their radius is known.
 void FixLiquid::meet_new_grains() {
   for (int k = 0; k < atom->nlocal; ++k) {
-    double& film = film_->vector_atom[k];
+    double& film = film_[k];
     if (film != unmet_) continue;
     film = settings_.film_at_first(atom->radius[k]);
     new_liquid_ += film;
@@ -25,14 +23,14 @@ void FixLiquid::meet_new_grains() {
 void FixLiquid::publish_films() {
   if (!wet_) return;
   for (int k = 0; k < atom->nlocal; ++k) {
-    films_.publish(k, film_->vector_atom[k], atom->radius[k], atom->rmass[k]);
+    films_.publish(k, film_[k], atom->radius[k], atom->rmass[k]);
     number_[static_cast<std::size_t>(k)] = atom->tag[k];
     position_[static_cast<std::size_t>(k)] = Vec3(atom->x[k][0], atom->x[k][1], atom->x[k][2]);
   }
-  comm->forward_comm_fix(this);
+  send_to_ghosts();
 }
 
-int FixLiquid::pack_comm(int count, int* list, double* buffer, int, int*) {
+void FixLiquid::pack_ghosts(int count, const int* list, double* buffer) {
   for (int n = 0; n < count; ++n) {
     const int k = list[n];
     const GrainFilms::Published& p = films_.published(k);
@@ -44,10 +42,9 @@ int FixLiquid::pack_comm(int count, int* list, double* buffer, int, int*) {
     if (!periodic_) continue;
     for (int d = 0; d < 3; ++d) *buffer++ = position_[static_cast<std::size_t>(k)][d];
   }
-  return comm_forward;
 }
 
-void FixLiquid::unpack_comm(int count, int first, double* buffer) {
+void FixLiquid::unpack_ghosts(int count, int first, const double* buffer) {
   for (int k = first; k < first + count; ++k) {
     films_.published(k) = {buffer[0], buffer[1], buffer[2], buffer[3], buffer[4]};
     buffer += GrainFilms::Published::size;

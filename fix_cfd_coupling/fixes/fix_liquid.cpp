@@ -1,4 +1,4 @@
-#include "fix_cfd_coupling/liggghts/fix_liquid.h"
+#include "fix_cfd_coupling/fixes/fix_liquid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,17 +6,15 @@
 
 #include "coupling/base/error.h"
 #include "fix_cfd_coupling/dem_physics/liquid/saturation.h"
-#include "fix_cfd_coupling/liggghts/host_error.h"
+#include "fix_cfd_coupling/fixes/host_error.h"
 // --
 #include "atom.h"
 #include "comm.h"
+#include "dialect_words.h"
 #include "domain.h"
-#include "fix_property_atom.h"
-#include "fix_wall_gran.h"
 #include "force.h"
 #include "memory.h"
 #include "modify.h"
-#include "pair_gran.h"
 #include "update.h"
 
 namespace LAMMPS_NS {
@@ -29,7 +27,7 @@ constexpr const char* property = "liquidFilm";
 
 }  // namespace
 
-FixLiquid::FixLiquid(LAMMPS* host, int narg, char** arg) : Fix(host, narg, arg) {
+FixLiquid::FixLiquid(LAMMPS* host, int narg, char** arg) : HostFix(host, narg, arg) {
   try {
     if (std::strcmp(arg[1], "all") != 0)
       gasgrain::fail("the group of fix liquid must be 'all', it is '{}': dry grains have film 0.",
@@ -69,20 +67,15 @@ FixLiquid::~FixLiquid() {
 }
 
 int FixLiquid::setmask() {
-  return FixConst::PRE_EXCHANGE | FixConst::PRE_FORCE | FixConst::END_OF_STEP;
+  return FixConst::PRE_EXCHANGE | FixConst::PRE_FORCE | FixConst::END_OF_STEP | FixConst::POST_RUN;
 }
 
-void FixLiquid::post_create() {
-  film_ = static_cast<FixPropertyAtom*>(
-      modify->find_fix_property(property, "property/atom", "scalar", 0, 0, style, false));
-  if (film_ != nullptr) return;
-  const char* words[] = {property, "all", "property/atom", property, "scalar", "yes", "no",
-                         "no",     "-1."};
-  film_ = modify->add_fix_property_atom(9, const_cast<char**>(words), style);
+void FixLiquid::make_properties() {
+  film_.make(*this, *modify, property, unmet_);
 }
 
-void FixLiquid::pre_delete(bool unfixed) {
-  if (unfixed) modify->delete_fix(property);
+void FixLiquid::remove_properties() {
+  film_.remove(*modify);
 }
 
 FixLiquid& FixLiquid::of_scene(LAMMPS* host) {
@@ -94,31 +87,34 @@ FixLiquid& FixLiquid::of_scene(LAMMPS* host) {
 }
 
 void FixLiquid::init() {
-  pairs_ = static_cast<PairGran*>(force->pair_match("gran", 0));
-  if (pairs_ == nullptr) gasgrain::stop_everything("fix liquid needs 'pair_style gran'.");
+  contacts_.find(*lmp);
+  if (!contacts_)
+    gasgrain::stop_everything(
+        fmt::format("fix liquid needs '{}'.", gasgrain::words::grain_pair_style));
   if (force->newton_pair != 0)
     gasgrain::stop_everything("fix liquid needs 'newton off' before the box is made.");
-  film_ = static_cast<FixPropertyAtom*>(
-      modify->find_fix_property(property, "property/atom", "scalar", 0, 0, style));
+  film_.find(*this, *modify);
 }
 
 void FixLiquid::check_walls() const {
   if (history_offset_ < 0 && walls_.empty())
     gasgrain::stop_everything(
-        "fix liquid has no effect: neither 'pair_style gran' nor a 'fix wall/gran' has 'cohesion "
-        "bridge' among its models. Add it, or take the fix away.");
+        fmt::format("fix liquid has no effect: neither '{}' nor a '{}' has 'cohesion bridge' among "
+                    "its models. Add it, or take the fix away.",
+                    gasgrain::words::grain_pair_style, gasgrain::words::grain_wall));
   std::vector<std::string> ids;
   for (const auto& wall : walls_) ids.push_back(wall->id());
   for (const auto& setting : settings_.walls)
     if (std::find(ids.begin(), ids.end(), setting.id) == ids.end())
-      gasgrain::stop_everything(fmt::format(
-          "fix liquid: wall \"{}\" is no fix wall/gran with 'cohesion bridge'.{}", setting.id,
-          ids.empty() ? " There is none." : gasgrain::suggestion(setting.id, ids)));
+      gasgrain::stop_everything(
+          fmt::format("fix liquid: wall \"{}\" is no {} with 'cohesion bridge'.{}", setting.id,
+                      gasgrain::words::grain_wall,
+                      ids.empty() ? " There is none." : gasgrain::suggestion(setting.id, ids)));
 }
 
 void FixLiquid::check_films() const {
   for (int k = 0; k < atom->nlocal; ++k) {
-    const double film = film_->vector_atom[k];
+    const double film = film_[k];
     if (film == unmet_ || (std::isfinite(film) && film >= -1e-12 * std::abs(solid_volume(k))))
       continue;
     gasgrain::stop_everything_from_here(fmt::format(
@@ -129,8 +125,8 @@ void FixLiquid::check_films() const {
 void FixLiquid::setup_pre_force(int) {
   check_walls();
   check_films();
-  // Else the host gives both their values of a new grain once more, after this.
-  just_created = film_->just_created = 0;
+  grains_have_values();
+  film_.grains_have_values();
   part_with_removed_walls();
   meet_new_grains();
   if (wet_) {
@@ -173,7 +169,7 @@ void FixLiquid::end_of_step() {
       for (int k = 0; k < atom->nlocal; ++k)
         wall->advance(settings_, films_, counts_, k, atom->radius[k], atom->type[k] - 1);
     for (int k = 0; k < atom->nlocal; ++k) {
-      film_->vector_atom[k] = films_.settle(k, film_->vector_atom[k], settings_.bridges_max);
+      film_[k] = films_.settle(k, film_[k], settings_.bridges_max);
       array_atom[k][0] = films_.tally(k).bridges;
       array_atom[k][1] = films_.tally(k).bridged;
     }

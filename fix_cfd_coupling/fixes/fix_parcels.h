@@ -1,8 +1,8 @@
 // fix ID all parcels KEYWORD VALUE...
 //
 // Makes the host's atoms parcels of many equal particles (multiphase particle-in-cell): no
-// contacts, a stress on the grid instead, walls that are sides of the box. LIGGGHTS's dialect only:
-// the physics is in dem_physics/parcels, the keywords in parcel_settings.h. Radius and mass of an
+// contacts, a stress on the grid instead, walls that are sides of the box. The
+// physics is in dem_physics/parcels, the keywords in parcel_settings.h. Radius and mass of an
 // atom are those of ONE particle, its film included. The fix moves the parcels itself and stands
 // after gravity and before couple/gas.
 //
@@ -22,22 +22,19 @@
 #include "fix_cfd_coupling/dem_physics/parcels/injection.h"
 #include "fix_cfd_coupling/dem_physics/parcels/parcel_motion.h"
 #include "fix_cfd_coupling/dem_physics/parcels/particle_stress.h"
-#include "fix_cfd_coupling/liggghts/rank_cells.h"
+#include "fix_cfd_coupling/fixes/rank_cells.h"
 // --
-#include "fix.h"
+#include "dialect_fix.h"
+#include "dialect_grain_scalar.h"
 
 namespace LAMMPS_NS {
 
-class FixPropertyAtom;
-
-class FixParcels : public Fix {
+class FixParcels : public HostFix {
  public:
   FixParcels(LAMMPS* host, int narg, char** arg);
   ~FixParcels() override;
 
   int setmask() override;
-  void post_create() override;
-  void pre_delete(bool unfixed) override;
   void init() override;
   void setup_pre_exchange() override;
   void setup_pre_force(int) override;
@@ -76,6 +73,10 @@ class FixParcels : public Fix {
   void admit(int atom_index, const gasgrain::NewParcel& parcel);
   // The film of an atom now has this mass [kg] and volume [m3]: its mass and radius follow.
   void set_film(int atom_index, double mass, double volume);
+
+ protected:
+  void make_properties() override;
+  void remove_properties() override;
 
  private:
   // Solids and liquid [kg].
@@ -128,7 +129,7 @@ class FixParcels : public Fix {
   gasgrain::ParticleStress stress_;
   gasgrain::ParcelMotion motion_;
   std::unique_ptr<gasgrain::RankCells> cells_;
-  FixPropertyAtom* size_ = nullptr;
+  GrainScalar size_;
   std::vector<double> solid_mass_;    // [kg], of a particle; 0: has not met the fix yet
   std::vector<double> solid_volume_;  // [m3]
   std::vector<double> known_mass_;    // [kg], with the film, as this fix knows it

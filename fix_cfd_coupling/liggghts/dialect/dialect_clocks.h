@@ -1,0 +1,40 @@
+// The host's own clocks of a run, by task. LIGGGHTS times each fix when it is asked to.
+#pragma once
+
+#include "fix.h"
+#include "modify.h"
+#include "timer.h"
+
+namespace gasgrain {
+
+class HostClocks {
+ public:
+  // When the setup of a run ends. The host would list all fixes in its own summary if it were asked
+  // for good: it is, for the run only.
+  void begin_run(LAMMPS_NS::Modify& modify) {
+    asked_ = modify.timing == 0;
+    if (asked_) modify.timing = 1;
+    // It begins anew with each run, but only after this.
+    for (int n = 0; n < modify.nfix; ++n) modify.fix[n]->reset_time_recording();
+  }
+
+  // charge(task, seconds) for the run's tasks, charge_fix(style, seconds) for each fix but `own`,
+  // whose time other clocks have (here nobody needs to know how much that was).
+  template <class Charge, class ChargeFix>
+  void end_run(LAMMPS_NS::Modify& modify, LAMMPS_NS::Timer& timer, const LAMMPS_NS::Fix* own,
+               double /*seconds_of_own*/, Charge charge, ChargeFix charge_fix) {
+    charge("pair forces", timer.array[TIME_PAIR]);
+    charge("neighbour lists", timer.array[TIME_NEIGHBOR]);
+    charge("DEM communication", timer.array[TIME_COMM]);
+    charge("output", timer.array[TIME_OUTPUT]);
+    for (int n = 0; n < modify.nfix; ++n)
+      if (const LAMMPS_NS::Fix& fix = *modify.fix[n]; &fix != own)
+        charge_fix(fix.style, fix.get_recorded_time());
+    if (asked_) modify.timing = 0;
+  }
+
+ private:
+  bool asked_ = false;
+};
+
+}  // namespace gasgrain
