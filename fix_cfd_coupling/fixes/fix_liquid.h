@@ -17,10 +17,8 @@
 #include <vector>
 
 #include "coupling/base/vec3.h"
-#include "fix_cfd_coupling/dem_physics/liquid/grain_bridges.h"
 #include "fix_cfd_coupling/dem_physics/liquid/liquid_ledger.h"
-#include "fix_cfd_coupling/dem_physics/liquid/liquid_settings.h"
-#include "fix_cfd_coupling/dem_physics/liquid/wall_bridges.h"
+#include "fix_cfd_coupling/dem_physics/liquid/scene_liquid.h"
 // --
 #include "dialect_contacts.h"
 #include "dialect_fix.h"
@@ -28,7 +26,7 @@
 
 namespace LAMMPS_NS {
 
-class FixLiquid : public HostFix {
+class FixLiquid : public HostFix, public gasgrain::liquid::SceneLiquid {
  public:
   FixLiquid(LAMMPS* host, int narg, char** arg);
   ~FixLiquid() override;
@@ -60,19 +58,9 @@ class FixLiquid : public HostFix {
 
   // For the contact models. The fix of the scene; ends the launch when there is none.
   static FixLiquid& of_scene(LAMMPS* host);
-  // The pair style has bridges: their place in the history of a contact. Returns the greatest gap
-  // of a bridge, over r_i + r_j, for which the host's lists are made; 0: there is no liquid at all.
-  double join_pairs(int history_offset);
-  gasgrain::liquid::WallBridges& join_wall(const std::string& wall_id);
-
-  [[nodiscard]] bool wet() const { return wet_; }
-  [[nodiscard]] bool periodic() const { return periodic_; }
-  [[nodiscard]] const gasgrain::liquid::LiquidSettings& settings() const { return settings_; }
-  gasgrain::liquid::GrainFilms& films() { return films_; }
-  gasgrain::liquid::BridgeCounts& counts() { return counts_; }
-  double& held_back() { return held_back_; }
-  // From k to i, the same to the last digit whoever owns them.
-  [[nodiscard]] gasgrain::Vec3 between(int i, int k) const;
+  double join_pairs(int history_offset) override;
+  gasgrain::liquid::WallBridges& join_wall(const std::string& wall_id) override;
+  [[nodiscard]] gasgrain::Vec3 between(int i, int k) const override;
 
  protected:
   void make_properties() override;
@@ -111,18 +99,13 @@ class FixLiquid : public HostFix {
   [[nodiscard]] double solid_volume(int k) const;
   [[nodiscard]] double saturation(int k) const;
 
-  gasgrain::liquid::LiquidSettings settings_;
-  gasgrain::liquid::GrainFilms films_;
   std::vector<std::unique_ptr<gasgrain::liquid::WallBridges>> walls_;
-  gasgrain::liquid::BridgeCounts counts_;
   gasgrain::liquid::LiquidLedger ledger_;
   std::vector<double> number_;            // of an owned grain, as it was in the last step; 0: new
   std::vector<gasgrain::Vec3> position_;  // of the owner, before any periodic image
   GrainScalar film_;
   gasgrain::HostContacts contacts_;
   int history_offset_ = -1;
-  bool wet_ = false;
-  bool periodic_ = false;
   bool resumed_ = false;
   bool began_ = false;  // the ledger
   bool warned_of_saturation_ = false;
@@ -132,7 +115,6 @@ class FixLiquid : public HostFix {
   // Of this rank, since stock was taken
   double new_liquid_ = 0.0, new_grains_ = 0.0;
   double gone_liquid_ = 0.0, gone_grains_ = 0.0;
-  double held_back_ = 0.0;  // viscous forces that a step could not take, of bridges and steps
   gasgrain::liquid::LiquidLedger told_;  // what warnings told of already
   std::array<double, 9> shown_{};        // f_ID[1..9]
   bigint shown_at_ = -1;                 // step

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "fix_cfd_coupling/liggghts/host_error.h"
+#include "fix_cfd_coupling/fixes/host_error.h"
 // --
 #include "dump_custom.h"
 
