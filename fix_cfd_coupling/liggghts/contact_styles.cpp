@@ -16,12 +16,12 @@
 namespace gasgrain {
 
 // Made by the build, one file a model.
-#define COHESION_MODEL(constant, name, id) void add_compiled_cohesion_##name();
-#include "fix_cfd_coupling/liggghts/contact_styles_cohesion.h"
-#undef COHESION_MODEL
-#define ROLLING_MODEL(constant, name, id) void add_compiled_rolling_##name();
-#include "fix_cfd_coupling/liggghts/contact_styles_rolling.h"
-#undef ROLLING_MODEL
+#define COHESION_LAW(Law, name, id) void add_compiled_cohesion_##name();
+#include "fix_cfd_coupling/dem_physics/contact/cohesion_laws.h"
+#undef COHESION_LAW
+#define ROLLING_LAW(Law, name, id) void add_compiled_rolling_##name();
+#include "fix_cfd_coupling/dem_physics/contact/rolling_laws.h"
+#undef ROLLING_LAW
 
 namespace {
 
@@ -89,12 +89,12 @@ void register_contact_styles() {
   done = true;
 
   auto& names = contact_models::Factory::instance();
-#define COHESION_MODEL(constant, name, id) names.addCohesionModel(#name, id);
-#include "fix_cfd_coupling/liggghts/contact_styles_cohesion.h"
-#undef COHESION_MODEL
-#define ROLLING_MODEL(constant, name, id) names.addRollingModel(#name, id);
-#include "fix_cfd_coupling/liggghts/contact_styles_rolling.h"
-#undef ROLLING_MODEL
+#define COHESION_LAW(Law, name, id) names.addCohesionModel(#name, id);
+#include "fix_cfd_coupling/dem_physics/contact/cohesion_laws.h"
+#undef COHESION_LAW
+#define ROLLING_LAW(Law, name, id) names.addRollingModel(#name, id);
+#include "fix_cfd_coupling/dem_physics/contact/rolling_laws.h"
+#undef ROLLING_LAW
 
   LastResort<PairStyle, PairTableTag, LIGGGHTS::PairStyles::Granular<RuntimeContactModel>>::install(
       LIGGGHTS::PairStyles::Factory::instance());
@@ -102,12 +102,12 @@ void register_contact_styles() {
       LIGGGHTS::Walls::Factory::instance());
 
   if (!compiled_wanted()) return;
-#define COHESION_MODEL(constant, name, id) add_compiled_cohesion_##name();
-#include "fix_cfd_coupling/liggghts/contact_styles_cohesion.h"
-#undef COHESION_MODEL
-#define ROLLING_MODEL(constant, name, id) add_compiled_rolling_##name();
-#include "fix_cfd_coupling/liggghts/contact_styles_rolling.h"
-#undef ROLLING_MODEL
+#define COHESION_LAW(Law, name, id) add_compiled_cohesion_##name();
+#include "fix_cfd_coupling/dem_physics/contact/cohesion_laws.h"
+#undef COHESION_LAW
+#define ROLLING_LAW(Law, name, id) add_compiled_rolling_##name();
+#include "fix_cfd_coupling/dem_physics/contact/rolling_laws.h"
+#undef ROLLING_LAW
 }
 
 }  // namespace gasgrain

@@ -1,25 +1,35 @@
-// The constants by which our contact sub-models are known to the host's templates.
+// The laws of the LISTs as the host's templates know its models: by their ids.
 #pragma once
 
-// The host's headers lean on each other's order.
-#include "fix_insert_stream.h"
-// --
-#include "contact_models.h"
+#include "fix_cfd_coupling/dem_physics/contact/cohesion_laws.h"
+#include "fix_cfd_coupling/dem_physics/contact/rolling_laws.h"
+#include "fix_cfd_coupling/liggghts/contact_styles_adaptors.h"
 
 namespace LIGGGHTS {
 namespace ContactModels {
 
-#define COHESION_MODEL(constant, name, id) \
-  inline constexpr int constant = id;      \
-  static_assert(id < 64 && id != 1 && id != 2 && id != 7 && id != 8, #name ": id taken");
-#include "fix_cfd_coupling/liggghts/contact_styles_cohesion.h"
-#undef COHESION_MODEL
+// The host has the cohesion models 1, 2, 7 and 8, and the rolling models 1 to 4 and 6.
+#define COHESION_LAW(Law, name, id)                                                            \
+  static_assert(id < 64 && id > 8, #name ": id taken");                                        \
+  template <>                                                                                  \
+  class CohesionModel<id> : public gasgrain::CohesionAdaptor<gasgrain::contact::Law> {         \
+   public:                                                                                     \
+    CohesionModel(LAMMPS_NS::LAMMPS* host, IContactHistorySetup* place, ContactModelBase* all) \
+        : CohesionAdaptor(host, place, all, #name) {}                                          \
+  };
+#include "fix_cfd_coupling/dem_physics/contact/cohesion_laws.h"
+#undef COHESION_LAW
 
-#define ROLLING_MODEL(constant, name, id) \
-  inline constexpr int constant = id;     \
-  static_assert(id < 64 && id > 6, #name ": id taken");
-#include "fix_cfd_coupling/liggghts/contact_styles_rolling.h"
-#undef ROLLING_MODEL
+#define ROLLING_LAW(Law, name, id)                                                            \
+  static_assert(id < 64 && id > 6, #name ": id taken");                                       \
+  template <>                                                                                 \
+  class RollingModel<id> : public gasgrain::RollingAdaptor<gasgrain::contact::Law> {          \
+   public:                                                                                    \
+    RollingModel(LAMMPS_NS::LAMMPS* host, IContactHistorySetup* place, ContactModelBase* all) \
+        : RollingAdaptor(host, place, all, #name) {}                                          \
+  };
+#include "fix_cfd_coupling/dem_physics/contact/rolling_laws.h"
+#undef ROLLING_LAW
 
 }  // namespace ContactModels
 }  // namespace LIGGGHTS

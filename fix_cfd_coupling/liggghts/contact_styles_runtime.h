@@ -12,9 +12,6 @@
 
 #include "fix_cfd_coupling/fixes/host_error.h"
 #include "fix_cfd_coupling/liggghts/contact_styles_ids.h"
-// --
-#include "fix_cfd_coupling/liggghts/contact_styles_cohesion.h"
-#include "fix_cfd_coupling/liggghts/contact_styles_rolling.h"
 
 namespace gasgrain {
 
@@ -32,12 +29,12 @@ struct ContactIds {
   // Whether the cohesion or the rolling model is one of ours.
   [[nodiscard]] bool hold_ours() const {
     bool ours = false;
-#define COHESION_MODEL(constant, name, id) ours = ours || cohesion == id;
-#include "fix_cfd_coupling/liggghts/contact_styles_cohesion.h"
-#undef COHESION_MODEL
-#define ROLLING_MODEL(constant, name, id) ours = ours || rolling == id;
-#include "fix_cfd_coupling/liggghts/contact_styles_rolling.h"
-#undef ROLLING_MODEL
+#define COHESION_LAW(Law, name, id) ours = ours || cohesion == id;
+#include "fix_cfd_coupling/dem_physics/contact/cohesion_laws.h"
+#undef COHESION_LAW
+#define ROLLING_LAW(Law, name, id) ours = ours || rolling == id;
+#include "fix_cfd_coupling/dem_physics/contact/rolling_laws.h"
+#undef ROLLING_LAW
     return ours;
   }
 
@@ -170,10 +167,14 @@ class RuntimeContactModel : public contact_models::ContactModelBase {
     refuse("normal", ids_.normal);
   }
   Model<contact_models::CohesionModelBase> cohesion_model(Host* host, History* history) {
+#define COHESION_LAW(Law, name, id) \
+  if (ids_.cohesion == id)          \
+    return std::make_shared<contact_models::CohesionModel<id>>(host, history, this);
+#include "fix_cfd_coupling/dem_physics/contact/cohesion_laws.h"
+#undef COHESION_LAW
 #define COHESION_MODEL(constant, name, id) \
   if (ids_.cohesion == id)                 \
     return std::make_shared<contact_models::CohesionModel<id>>(host, history, this);
-#include "fix_cfd_coupling/liggghts/contact_styles_cohesion.h"
 #include "style_cohesion_model.h"
 #undef COHESION_MODEL
     if (ids_.cohesion == contact_models::COHESION_OFF)
@@ -193,10 +194,14 @@ class RuntimeContactModel : public contact_models::ContactModelBase {
     refuse("tangential", ids_.tangential);
   }
   Model<contact_models::RollingModelBase> rolling_model(Host* host, History* history) {
+#define ROLLING_LAW(Law, name, id) \
+  if (ids_.rolling == id)          \
+    return std::make_shared<contact_models::RollingModel<id>>(host, history, this);
+#include "fix_cfd_coupling/dem_physics/contact/rolling_laws.h"
+#undef ROLLING_LAW
 #define ROLLING_MODEL(constant, name, id) \
   if (ids_.rolling == id)                 \
     return std::make_shared<contact_models::RollingModel<id>>(host, history, this);
-#include "fix_cfd_coupling/liggghts/contact_styles_rolling.h"
 #include "style_rolling_model.h"
 #undef ROLLING_MODEL
     if (ids_.rolling == contact_models::ROLLING_OFF)

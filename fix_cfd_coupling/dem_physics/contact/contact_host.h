@@ -33,9 +33,9 @@ struct GrainScalar {
 
 // How a user of this host writes such values: for messages.
 struct GrainScalarLines {
-  std::string make;  // the line that makes them, with VALUE
-  std::string set;   // the line that sets those of groups
-  std::string send;  // what to do where they are not sent to the ghosts, and the line
+  std::string make;  // the quoted line that makes them, or several with 'or' between
+  std::string set;   // the quoted line that sets those of a group
+  std::string send;  // what to do where they are not sent to the ghosts
 };
 
 class ContactHost {

@@ -1,16 +1,11 @@
-#include "fix_cfd_coupling/liggghts/cohesion_model_sintered_neck_laws.h"
+#include "fix_cfd_coupling/dem_physics/contact/neck_laws.h"
 
 #include <cmath>
 #include <limits>
 
 #include "fix_cfd_coupling/dem_physics/contact_time.h"
-#include "lammps.h"
-// --
-#include "atom.h"
-#include "fix_property_atom.h"
-#include "modify.h"
 
-namespace gasgrain {
+namespace gasgrain::contact {
 namespace {
 
 // What went wrong in `check`, or nothing.
@@ -57,34 +52,33 @@ static void check(const NeckLaw& law) {
   if (!faults.empty()) fail("{}", faults.substr(1));
 }
 
-void NeckLaws::read(LAMMPS_NS::LAMMPS& host, const ContactProperties& properties,
-                    const NeckWords& words, const NormalKind& normal) {
+void NeckLaws::read(const ContactHost& host, const NeckWords& words, const NormalKind& normal) {
   words_ = words;
   normal_ = normal;
-  const auto tension = properties.need_pairs("neckSurfaceTension", "N/m");
-  const auto tensile = properties.need_pairs("neckTensileStrength", "Pa");
-  const auto shear = properties.need_pairs("neckShearStrength", "Pa");
+  const auto tension = host.need_pairs("neckSurfaceTension", "N/m");
+  const auto tensile = host.need_pairs("neckTensileStrength", "Pa");
+  const auto shear = host.need_pairs("neckShearStrength", "Pa");
   adhesion::Sintering growth;
-  growth.lattice_constant = properties.need_scalar("neckLatticeConstant", "m");
-  growth.surface.prefactor = properties.need_scalar("surfaceDiffusionPrefactor", "m2/s");
-  growth.surface.activation_energy = properties.need_scalar("surfaceDiffusionEnergy", "J/mol");
-  growth.volume.prefactor = properties.need_scalar("volumeDiffusionPrefactor", "m2/s");
-  growth.volume.activation_energy = properties.need_scalar("volumeDiffusionEnergy", "J/mol");
+  growth.lattice_constant = host.need_scalar("neckLatticeConstant", "m");
+  growth.surface.prefactor = host.need_scalar("surfaceDiffusionPrefactor", "m2/s");
+  growth.surface.activation_energy = host.need_scalar("surfaceDiffusionEnergy", "J/mol");
+  growth.volume.prefactor = host.need_scalar("volumeDiffusionPrefactor", "m2/s");
+  growth.volume.activation_energy = host.need_scalar("volumeDiffusionEnergy", "J/mol");
   growth.volume_diffusion_from = words.volume_diffusion_from;
   growth.micro_contacts = static_cast<int>(words.micro_contacts);
-  const auto stiffness = properties.pairs("neckStiffness");
+  const auto stiffness = host.pairs("neckStiffness");
   own_stiffness_ = stiffness.has_value();
   if (!own_stiffness_ && !normal.linear)
-    properties.refuse_missing(
+    host.refuse_missing(
         "neckStiffness",
         fmt::format("fix ID all property/global neckStiffness peratomtypepair {} VALUES  (N/m)\n"
                     "since only 'model hooke' and 'model hooke/stiffness' have a stiffness that a "
                     "neck could take over at zero overlap",
-                    properties.types()));
-  const auto friction = properties.pairs("coefficientFriction");
+                    host.types()));
+  const auto friction = host.pairs("coefficientFriction");
 
   laws_ = checked_laws(
-      properties,
+      host,
       "neckSurfaceTension, neckTensileStrength, neckShearStrength, neckStiffness, "
       "neckLatticeConstant, surfaceDiffusion..., volumeDiffusion...",
       [&](int i, int j) {
@@ -96,52 +90,50 @@ void NeckLaws::read(LAMMPS_NS::LAMMPS& host, const ContactProperties& properties
       },
       faults_of_words(words));
   act_ = false;
-  for (int i = 1; i <= properties.types(); ++i)
-    for (int j = 1; j <= properties.types(); ++j) act_ = act_ || tension(i, j) > 0.0;
-  read_temperature(host, properties);
-  if (words.correct_contact_time) read_real_contact(properties);
+  for (int i = 1; i <= host.types(); ++i)
+    for (int j = 1; j <= host.types(); ++j) act_ = act_ || tension(i, j) > 0.0;
+  read_temperature(host);
+  if (words.correct_contact_time) read_real_contact(host);
 }
 
-void NeckLaws::read_temperature(LAMMPS_NS::LAMMPS& host, const ContactProperties& properties) {
-  temperature_ = static_cast<LAMMPS_NS::FixPropertyAtom*>(host.modify->find_fix_property(
-      "Temp", "property/atom", "scalar", 0, 0, properties.model().c_str(), false));
-  if (words_.temperature > 0.0) {
-    temperature_ = nullptr;
-    return;
-  }
-  if (temperature_ == nullptr)
-    properties.refuse(
-        "it needs a temperature. Write 'neck_temperature VALUE' (K) after the model's name, or "
-        "give the "
-        "grains theirs by 'fix heat/gran' or 'fix ID all property/atom Temp scalar yes yes no "
-        "VALUE'.");
-  if (temperature_->comm_forward == 0)
-    properties.refuse(
-        "the temperatures of the property/atom Temp are not sent to the other ranks. Write its "
-        "second word yes: 'fix ID all property/atom Temp scalar yes yes no VALUE'.");
+void NeckLaws::read_temperature(const ContactHost& host) {
+  temperature_ = {};
+  if (words_.temperature > 0.0) return;
+  constexpr auto property = "Temp";
+  temperature_ = host.grain_scalar(property);
+  const GrainScalarLines lines = host.grain_scalar_lines(property);
+  if (!temperature_)
+    host.refuse(
+        fmt::format("it needs a temperature. Write 'neck_temperature VALUE' (K) after the model's "
+                    "name, or give the grains theirs by {}.",
+                    lines.make));
+  if (!temperature_.on_ghosts)
+    host.refuse(
+        fmt::format("the temperatures of the property/atom Temp are not sent to the other ranks. "
+                    "{}.",
+                    lines.send));
   double lowest = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < host.atom->nlocal; ++i)
-    lowest = std::min(lowest, temperature_->vector_atom[i]);
-  MPI_Allreduce(MPI_IN_PLACE, &lowest, 1, MPI_DOUBLE, MPI_MIN, host.world);
+  for (int i = 0; i < host.grains(); ++i) lowest = std::min(lowest, temperature_[i]);
+  MPI_Allreduce(MPI_IN_PLACE, &lowest, 1, MPI_DOUBLE, MPI_MIN, host.communicator());
   if (!(lowest > 0.0))
-    properties.refuse(fmt::format(
+    host.refuse(fmt::format(
         "a grain has the temperature Temp = {:g} K; it must be above 0. Give it in K.", lowest));
 }
 
-void NeckLaws::read_real_contact(const ContactProperties& properties) {
+void NeckLaws::read_real_contact(const ContactHost& host) {
   if (!normal_.linear && !normal_.hertzian)
-    properties.refuse(
+    host.refuse(
         "contact_time_correction knows the collisions of 'model hooke', 'hooke/stiffness', 'hertz' "
         "and 'hertz/stiffness'. Write one of them, or 'contact_time_correction off'.");
-  const auto youngs = properties.need_per_type("youngsModulusReal", "Pa");
-  const auto poisson = properties.need_per_type("poissonsRatio", "no unit");
-  const int types = properties.types();
-  const auto restitution = properties.pairs("coefficientRestitution");
+  const auto youngs = host.need_per_type("youngsModulusReal", "Pa");
+  const auto poisson = host.need_per_type("poissonsRatio", "no unit");
+  const int types = host.types();
+  const auto restitution = host.pairs("coefficientRestitution");
   real_modulus_ = PairTable<double>(types);
   restitution_ = PairTable<double>(types);
   for (int i = 1; i <= types; ++i) {
     if (!(youngs[i] > 0.0))
-      properties.refuse(
+      host.refuse(
           fmt::format("youngsModulusReal = {:g} Pa of type {} must be above 0: steel has 2e11 Pa.",
                       youngs[i], i));
     for (int j = 1; j <= types; ++j) {
@@ -152,13 +144,13 @@ void NeckLaws::read_real_contact(const ContactProperties& properties) {
   }
 }
 
-void NeckLaws::send_temperatures() {
-  if (temperature_ != nullptr && act_) temperature_->do_forward_comm();
+void NeckLaws::send_temperatures(ContactHost& host) const {
+  if (temperature_ && act_) host.send_to_ghosts(temperature_);
 }
 
 double NeckLaws::temperature(int i, int j) const {
-  if (temperature_ == nullptr) return words_.temperature;
-  return 0.5 * (temperature_->vector_atom[i] + temperature_->vector_atom[j]);
+  if (!temperature_) return words_.temperature;
+  return 0.5 * (temperature_[i] + temperature_[j]);
 }
 
 adhesion::CollisionDurations NeckLaws::durations(const Meeting& m) const {
@@ -175,4 +167,4 @@ adhesion::CollisionDurations NeckLaws::durations(const Meeting& m) const {
   return {in_dem, real};
 }
 
-}  // namespace gasgrain
+}  // namespace gasgrain::contact

@@ -1,5 +1,5 @@
-// The constants of `cohesion sintered_neck` (cohesion_model_sintered_neck.h names them), read from
-// the script, checked, and combined into what a contact asks.
+// The constants of `cohesion sintered_neck` (cohesion_sintered_neck.h names them), read from the
+// script, checked, and combined into what a contact asks.
 #pragma once
 
 #include <algorithm>
@@ -7,14 +7,9 @@
 #include "fix_cfd_coupling/dem_physics/adhesion/neck_contact_time.h"
 #include "fix_cfd_coupling/dem_physics/adhesion/neck_strength.h"
 #include "fix_cfd_coupling/dem_physics/adhesion/sintered_neck.h"
-#include "fix_cfd_coupling/liggghts/contact_styles_properties.h"
+#include "fix_cfd_coupling/dem_physics/contact/contact_host.h"
 
-namespace LAMMPS_NS {
-class FixPropertyAtom;
-class LAMMPS;
-}  // namespace LAMMPS_NS
-
-namespace gasgrain {
+namespace gasgrain::contact {
 
 // What the script writes after the model's name.
 struct NeckWords {
@@ -60,8 +55,7 @@ struct Meeting {
 class NeckLaws {
  public:
   // Ends the run with all faults in one message.
-  void read(LAMMPS_NS::LAMMPS& host, const ContactProperties& properties, const NeckWords& words,
-            const NormalKind& normal);
+  void read(const ContactHost& host, const NeckWords& words, const NormalKind& normal);
 
   // Whether necks can grow at all.
   [[nodiscard]] bool act() const { return act_; }
@@ -70,23 +64,23 @@ class NeckLaws {
     return own_stiffness_ ? laws_(i, j).stiffness : of_contact;
   }
   // To the ghosts; the host does so only when told to. Collective.
-  void send_temperatures();
+  void send_temperatures(ContactHost& host) const;
   // Of a contact between two grains [K]; of a wall: i twice.
   [[nodiscard]] double temperature(int i, int j) const;
   [[nodiscard]] adhesion::CollisionDurations durations(const Meeting& meeting) const;
 
  private:
-  void read_temperature(LAMMPS_NS::LAMMPS& host, const ContactProperties& properties);
-  void read_real_contact(const ContactProperties& properties);
+  void read_temperature(const ContactHost& host);
+  void read_real_contact(const ContactHost& host);
 
   PairTable<NeckLaw> laws_;
   bool act_ = false;
   bool own_stiffness_ = false;
   NormalKind normal_;
   NeckWords words_;
-  LAMMPS_NS::FixPropertyAtom* temperature_ = nullptr;
+  GrainScalar temperature_;         // none: that of the words
   PairTable<double> real_modulus_;  // E* [Pa]
   PairTable<double> restitution_;
 };
 
-}  // namespace gasgrain
+}  // namespace gasgrain::contact
