@@ -81,7 +81,7 @@ FixCollisionalExchange::~FixCollisionalExchange() {
   memory->destroy(array_atom);
 }
 
-int FixCollisionalExchange::setmask() {
+int FixCollisionalExchange::mask() {
   // PRE_FORCE for setup_pre_force() alone.
   return FixConst::PRE_FORCE | FixConst::END_OF_STEP | FixConst::POST_RUN;
 }
@@ -89,7 +89,7 @@ int FixCollisionalExchange::setmask() {
 // The films stay when the fix is taken away: they are the grains'.
 void FixCollisionalExchange::make_properties() {
   if (count_of_species() == 0) return;
-  film_.make(*this, *modify, property, 0.0);
+  film_.make(*this, *lmp, property, 0.0, GrainScalar::Stays::with_the_grains);
 }
 
 void FixCollisionalExchange::check_scene() const {
@@ -117,7 +117,7 @@ void FixCollisionalExchange::check_scene() const {
 void FixCollisionalExchange::init() {
   parcels_ = FixParcels::of_scene(lmp);
   check_scene();
-  if (film_) film_.find(*this, *modify);
+  if (film_) film_.find(*this, *lmp);
   try {
     if (cells_ == nullptr) {
       const auto own =

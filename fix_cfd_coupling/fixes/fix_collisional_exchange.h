@@ -34,7 +34,7 @@ class FixCollisionalExchange : public HostFix {
   FixCollisionalExchange(LAMMPS* host, int narg, char** arg);
   ~FixCollisionalExchange() override;
 
-  int setmask() override;
+  int mask() override;
   void init() override;
   void setup_pre_force(int) override;
   void setup(int) override;

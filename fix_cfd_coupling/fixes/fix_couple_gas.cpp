@@ -14,11 +14,11 @@
 #include "comm.h"
 #include "dialect_restart.h"
 #include "dialect_stop.h"
+#include "dialect_version.h"
 #include "dialect_words.h"
 #include "domain.h"
 #include "modify.h"
 #include "neighbor.h"
-#include "universe.h"
 #include "update.h"
 
 namespace LAMMPS_NS {
@@ -175,7 +175,7 @@ FixCoupleGas::~FixCoupleGas() {
   guarded([&] { tell_costs(); });
 }
 
-int FixCoupleGas::setmask() {
+int FixCoupleGas::mask() {
   return FixConst::PRE_EXCHANGE | FixConst::POST_FORCE | FixConst::END_OF_STEP | FixConst::POST_RUN;
 }
 
@@ -231,7 +231,7 @@ void FixCoupleGas::setup(int) {
     }
     if (gasgrain::session().local.is_root())
       gasgrain::write_run_frame(output_, {update->firststep, update->laststep, start_, update->dt,
-                                          universe->version, effects_.text()});
+                                          gasgrain::host_version(*lmp), effects_.text()});
     check_contacts();
     const bigint step = update->ntimestep;
     if (due(step)) record();

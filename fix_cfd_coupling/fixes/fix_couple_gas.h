@@ -39,7 +39,7 @@ class FixCoupleGas : public HostFix {
   FixCoupleGas(LAMMPS* host, int narg, char** arg);
   ~FixCoupleGas() override;
 
-  int setmask() override;
+  int mask() override;
   void init() override;
   void setup_pre_exchange() override;
   void setup(int) override;

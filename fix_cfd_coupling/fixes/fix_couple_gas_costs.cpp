@@ -23,7 +23,8 @@ constexpr FixTask fix_tasks[] = {{"wall/", "walls"},
                                  {"insert/", "insertion"},
                                  {"parcels/inject", "insertion"},
                                  {"parcels", "parcels"},
-                                 {"collisional_exchange", "collisional exchange"}};
+                                 {"collisional_exchange", "collisional exchange"},
+                                 {"exchange/bgk", "collisional exchange"}};
 
 const char* task_of(const char* style) {
   for (const FixTask& each : fix_tasks)

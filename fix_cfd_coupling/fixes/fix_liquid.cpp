@@ -66,16 +66,12 @@ FixLiquid::~FixLiquid() {
   memory->destroy(array_atom);
 }
 
-int FixLiquid::setmask() {
+int FixLiquid::mask() {
   return FixConst::PRE_EXCHANGE | FixConst::PRE_FORCE | FixConst::END_OF_STEP | FixConst::POST_RUN;
 }
 
 void FixLiquid::make_properties() {
-  film_.make(*this, *modify, property, unmet_);
-}
-
-void FixLiquid::remove_properties() {
-  film_.remove(*modify);
+  film_.make(*this, *lmp, property, unmet_, GrainScalar::Stays::with_the_fix);
 }
 
 FixLiquid& FixLiquid::of_scene(LAMMPS* host) {
@@ -93,7 +89,7 @@ void FixLiquid::init() {
         fmt::format("fix liquid needs '{}'.", gasgrain::words::grain_pair_style));
   if (force->newton_pair != 0)
     gasgrain::stop_everything("fix liquid needs 'newton off' before the box is made.");
-  film_.find(*this, *modify);
+  film_.find(*this, *lmp);
 }
 
 void FixLiquid::check_walls() const {

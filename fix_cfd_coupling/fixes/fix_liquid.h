@@ -31,7 +31,7 @@ class FixLiquid : public HostFix, public gasgrain::liquid::SceneLiquid {
   FixLiquid(LAMMPS* host, int narg, char** arg);
   ~FixLiquid() override;
 
-  int setmask() override;
+  int mask() override;
   void init() override;
   void setup_pre_exchange() override;
   void setup_pre_force(int) override;
@@ -64,7 +64,6 @@ class FixLiquid : public HostFix, public gasgrain::liquid::SceneLiquid {
 
  protected:
   void make_properties() override;
-  void remove_properties() override;
   void pack_ghosts(int count, const int* list, double* buffer) override;
   void unpack_ghosts(int count, int first, const double* buffer) override;
 

@@ -83,18 +83,14 @@ FixParcels::~FixParcels() {
   atom->delete_callback(id, 1);
 }
 
-int FixParcels::setmask() {
+int FixParcels::mask() {
   return FixConst::INITIAL_INTEGRATE | FixConst::PRE_EXCHANGE | FixConst::PRE_FORCE |
          FixConst::POST_FORCE | FixConst::FINAL_INTEGRATE | FixConst::END_OF_STEP |
          FixConst::POST_RUN;
 }
 
 void FixParcels::make_properties() {
-  size_.make(*this, *modify, property, unmet);
-}
-
-void FixParcels::remove_properties() {
-  size_.remove(*modify);
+  size_.make(*this, *lmp, property, unmet, GrainScalar::Stays::with_the_fix);
 }
 
 void FixParcels::check_scene() const {
@@ -115,7 +111,7 @@ void FixParcels::check_scene() const {
 
 void FixParcels::init() {
   check_scene();
-  size_.find(*this, *modify);
+  size_.find(*this, *lmp);
   try {
     if (cells_ == nullptr)
       cells_ = std::make_unique<gasgrain::RankCells>(

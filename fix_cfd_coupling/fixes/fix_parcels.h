@@ -34,7 +34,7 @@ class FixParcels : public HostFix {
   FixParcels(LAMMPS* host, int narg, char** arg);
   ~FixParcels() override;
 
-  int setmask() override;
+  int mask() override;
   void init() override;
   void setup_pre_exchange() override;
   void setup_pre_force(int) override;
@@ -76,7 +76,6 @@ class FixParcels : public HostFix {
 
  protected:
   void make_properties() override;
-  void remove_properties() override;
 
  private:
   // Solids and liquid [kg].

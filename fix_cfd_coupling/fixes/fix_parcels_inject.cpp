@@ -48,7 +48,7 @@ FixParcelsInject::FixParcelsInject(LAMMPS* host, int narg, char** arg) : HostFix
   restart_global = 1;
 }
 
-int FixParcelsInject::setmask() {
+int FixParcelsInject::mask() {
   return FixConst::PRE_EXCHANGE;
 }
 

@@ -28,7 +28,7 @@ class FixParcelsInject : public HostFix {
  public:
   FixParcelsInject(LAMMPS* host, int narg, char** arg);
 
-  int setmask() override;
+  int mask() override;
   void init() override;
   void pre_exchange() override;
 

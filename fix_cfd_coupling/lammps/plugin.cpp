@@ -10,6 +10,10 @@
 #include <cstring>
 
 #include "coupling/base/error.h"
+#include "fix_cfd_coupling/fixes/fix_collisional_exchange.h"
+#include "fix_cfd_coupling/fixes/fix_couple_gas.h"
+#include "fix_cfd_coupling/fixes/fix_parcels.h"
+#include "fix_cfd_coupling/fixes/fix_parcels_inject.h"
 #include "fix_cfd_coupling/fixes/host_error.h"
 #include "fix_cfd_coupling/fixes/host_session.h"
 #include "fix_cfd_coupling/lammps/dump_custom_vtk.h"
@@ -52,7 +56,12 @@ struct PairEntry {
 };
 
 // What a script may name.
-constexpr std::array<FixEntry, 0> fixes{};
+constexpr std::array fixes{
+    FixEntry{"couple/gas", &make_fix<LAMMPS_NS::FixCoupleGas>},
+    FixEntry{"parcels", &make_fix<LAMMPS_NS::FixParcels>},
+    FixEntry{"parcels/inject", &make_fix<LAMMPS_NS::FixParcelsInject>},
+    FixEntry{"collisional_exchange", &make_fix<LAMMPS_NS::FixCollisionalExchange>},
+    FixEntry{"exchange/bgk", &make_fix<LAMMPS_NS::FixCollisionalExchange>}};
 constexpr std::array<PairEntry, 0> pairs{};
 
 // The PLUGIN package knows no dumps.

@@ -27,7 +27,9 @@ void register_styles(LAMMPS_NS::LAMMPS& host) {
   gasgrain::fix_map(host)["liquid"] = &make_fix<LAMMPS_NS::FixLiquid>;
   gasgrain::fix_map(host)["parcels"] = &make_fix<LAMMPS_NS::FixParcels>;
   gasgrain::fix_map(host)["parcels/inject"] = &make_fix<LAMMPS_NS::FixParcelsInject>;
-  gasgrain::fix_map(host)["collisional_exchange"] = &make_fix<LAMMPS_NS::FixCollisionalExchange>;
+  // The second name is that of its model (Bhatnagar, Gross and Krook).
+  for (const char* name : {"collisional_exchange", "exchange/bgk"})
+    gasgrain::fix_map(host)[name] = &make_fix<LAMMPS_NS::FixCollisionalExchange>;
 }
 
 }  // namespace

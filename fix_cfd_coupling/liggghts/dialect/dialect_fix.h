@@ -1,6 +1,9 @@
 // What a fix of ours is in this host: the calls whose names and moments differ from host to host.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "comm.h"
 #include "fix.h"
 #include "modify.h"
@@ -11,12 +14,14 @@ class HostFix : public Fix {
  public:
   using Fix::Fix;
 
+  int setmask() final { return mask(); }
   void post_create() final {
     make_properties();
     begin();
   }
   void pre_delete(bool unfixed) final {
-    if (unfixed) remove_properties();
+    for (const std::string& name : properties_)
+      if (unfixed) modify->delete_fix(name.c_str());
   }
   int pack_comm(int count, int* list, double* buffer, int, int*) final {
     pack_ghosts(count, list, buffer);
@@ -26,11 +31,16 @@ class HostFix : public Fix {
     unpack_ghosts(count, first, buffer);
   }
 
+  // The moments at which the host calls the fix (FixConst).
+  virtual int mask() = 0;
+
  protected:
+  friend class GrainScalar;
+
   // Once, when the host knows the fix: it may ask for properties of the grains here.
   virtual void make_properties() {}
-  // The script takes the fix away.
-  virtual void remove_properties() {}
+  // Those of these names go when the script takes the fix away.
+  void take_along(const std::string& name) { properties_.push_back(name); }
   // Once, when what a restart file holds of the fix has been handed back.
   virtual void begin() {}
 
@@ -44,6 +54,9 @@ class HostFix : public Fix {
   void grains_have_values() { just_created = 0; }
   // Values of a grain that go with it to another rank.
   void exchanges(int) {}
+
+ private:
+  std::vector<std::string> properties_;
 };
 
 }  // namespace LAMMPS_NS

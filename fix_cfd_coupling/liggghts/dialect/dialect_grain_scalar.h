@@ -12,9 +12,13 @@ namespace LAMMPS_NS {
 
 class GrainScalar {
  public:
+  enum class Stays { with_the_fix, with_the_grains };
+
   // Finds it, or makes it: a grain has `at_first` until somebody sets it.
-  void make(HostFix& owner, Modify& modify, const char* name, double at_first) {
+  void make(HostFix& owner, LAMMPS& host, const char* name, double at_first, Stays stays) {
+    Modify& modify = *host.modify;
     name_ = name;
+    if (stays == Stays::with_the_fix) owner.take_along(name);
     fix_ = look(owner, modify, false);
     if (fix_ != nullptr) return;
     std::string first = std::to_string(at_first), property = name;
@@ -23,10 +27,10 @@ class GrainScalar {
     fix_ = modify.add_fix_property_atom(9, const_cast<char**>(words), owner.style);
   }
   // When a run begins: the script may have made another one.
-  void find(HostFix& owner, Modify& modify) { fix_ = look(owner, modify, true); }
-  void remove(Modify& modify) { modify.delete_fix(name_.c_str()); }
+  void find(HostFix& owner, LAMMPS& host) { fix_ = look(owner, *host.modify, true); }
 
   double& operator[](int grain) const { return fix_->vector_atom[grain]; }
+  // By grain; valid until the host makes place for more.
   [[nodiscard]] const double* values() const { return fix_->vector_atom; }
   explicit operator bool() const { return fix_ != nullptr; }
 

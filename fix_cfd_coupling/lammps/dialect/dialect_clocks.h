@@ -1,0 +1,31 @@
+// The host's own clocks of a run, by task. LAMMPS has one for all fixes together.
+#pragma once
+
+#include <algorithm>
+
+#include "fix.h"
+#include "modify.h"
+#include "timer.h"
+
+namespace gasgrain {
+
+class HostClocks {
+ public:
+  // When the setup of a run ends.
+  void begin_run(LAMMPS_NS::Modify&) {}
+
+  // charge(task, seconds) for the run's tasks, charge_fix(style, seconds) for the fixes but `own`,
+  // whose time other clocks have.
+  template <class Charge, class ChargeFix>
+  void end_run(LAMMPS_NS::Modify&, LAMMPS_NS::Timer& timer, const LAMMPS_NS::Fix* /*own*/,
+               double seconds_of_own, Charge charge, ChargeFix charge_fix) {
+    using LAMMPS_NS::Timer;
+    charge("pair forces", timer.get_wall(Timer::PAIR));
+    charge("neighbour lists", timer.get_wall(Timer::NEIGH));
+    charge("DEM communication", timer.get_wall(Timer::COMM));
+    charge("output", timer.get_wall(Timer::OUTPUT));
+    charge_fix("all", std::max(0.0, timer.get_wall(Timer::MODIFY) - seconds_of_own));
+  }
+};
+
+}  // namespace gasgrain
