@@ -22,7 +22,7 @@ matplotlib.use("Agg")
 import numpy as np
 
 import report_channel_plot
-from report_read import ReportError
+from report_read import ReportError, property_name
 
 FED, INJECTED = 1, 2  # atom types of in.liggghts
 NEAR = 0.05  # local equilibrium: of the excess speed at the nozzle
@@ -53,7 +53,7 @@ def read_dump(file):
         elif line == "ITEM: NUMBER OF ATOMS":
             count = int(next(text))
         elif line.startswith("ITEM: ATOMS"):
-            names = line.split()[2:]
+            names = [property_name(name) for name in line.split()[2:]]
             values = np.array([next(text).split() for _ in range(count)], dtype=float)
             yield step, dict(zip(names, values.reshape(count, len(names)).T))
 

@@ -112,6 +112,11 @@ class VtkFile:
         return np.array(words, dtype=float)
 
 
+def property_name(column):
+    """Of a property of the grains, which LAMMPS writes as d_NAME and LIGGGHTS as f_NAME."""
+    return "f_" + column[2:] if column.startswith("d_") else column
+
+
 def read_fields(file):
     """(centres [m] of shape (n, 3), {name: values of shape (n, components)}) of a particle file."""
     vtk = VtkFile(file)
@@ -127,6 +132,7 @@ def read_fields(file):
         elif len(words) == 4 and words[3] in vtk.KINDS and words[1].isdigit():
             components, tuples = int(words[1]), int(words[2])
             fields[words[0]] = vtk.values(components * tuples, words[3]).reshape(tuples, components)
+    fields = {property_name(name): values for name, values in fields.items()}
     if "v" not in fields and all(name in fields for name in ("vx", "vy", "vz")):
         fields["v"] = np.hstack([fields[name] for name in ("vx", "vy", "vz")])
     return centres, fields
