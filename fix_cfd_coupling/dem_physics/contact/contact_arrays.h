@@ -1,0 +1,64 @@
+// What a loop over contacts works on: the host's arrays, its neighbour lists and where it keeps the
+// contacts' history. Plain pointers; nothing is owned or copied.
+#pragma once
+
+#include <cstdint>
+
+#include "coupling/base/vec3.h"
+
+namespace gasgrain::contact {
+
+// Grains of this rank, then its ghosts. Units: SI.
+struct Grains {
+  using Vectors = const double (*)[3];
+  Vectors x, v, spin;
+  const double *radius, *mass;
+  const int *type, *mask;  // types from 1
+  double (*force)[3];
+  double (*torque)[3];
+  int owned;                // grains of this rank
+  bool ghosts_take_forces;  // the host sums the forces on ghosts
+  int frozen;               // bit of mask of grains that never move: their mass does not count
+  const double* body_mass;  // where above 0: of the rigid body of which a grain is part; or null
+  double dt;                // [s]
+  std::int64_t step;        // its number
+  bool updates;             // the history may change: not while forces are only looked at
+
+  [[nodiscard]] double inertia(int i) const {
+    return body_mass != nullptr && body_mass[i] > 0.0 ? body_mass[i] : mass[i];
+  }
+};
+
+// Neighbours j of each grain i of the list; a pair stands once on a rank.
+struct NeighbourList {
+  int count;
+  const int *grains, *neighbours;  // i of each entry; how many j has grain i
+  const int* const* first;         // of grain i
+  int index;                       // bits of j that are its number
+};
+
+// A row of doubles for each neighbour, and whether it is in use; null where no law has a history.
+struct ContactRows {
+  int* const* in_use = nullptr;  // of grain i, one for each neighbour
+  double* const* values = nullptr;
+  int width = 0;
+};
+
+// Grains that are or may come near to a wall, and a row of `width` + 1 doubles for each grain of
+// the rank, the last one whether it is in use.
+struct WallNeighbours {
+  int count;
+  const int* grains;
+  double* const* rows;  // of grain i, or null
+};
+
+// Told of each contact that acts: force on i [N], from j or the wall to i [m].
+class ContactObserver {
+ public:
+  virtual void acts(int i, int j, const Vec3& force, const Vec3& delta) = 0;
+
+ protected:
+  ~ContactObserver() = default;
+};
+
+}  // namespace gasgrain::contact

@@ -1,0 +1,109 @@
+// One normal, one tangential, one rolling and one cohesion law made into one: what they do to a
+// contact, in the order in which each needs the others' results.
+//
+// Normal force, cohesion (it may change what friction's limit goes by), friction, rolling
+// resistance, and after all of them what cohesion does last. Bodies that are apart have cohesion
+// alone. The laws are members, and their calls are inlined into the loop (contact_loop.h).
+#pragma once
+
+#include <type_traits>
+
+#include "fix_cfd_coupling/dem_physics/contact/contact_arrays.h"
+#include "fix_cfd_coupling/dem_physics/contact/primitive_wall.h"
+#include "fix_cfd_coupling/dem_physics/contact/rolling_resistance.h"
+#include "fix_cfd_coupling/dem_physics/contact/tangential_law.h"
+
+namespace gasgrain::contact {
+
+// Forces [N] and torques [N m] that a contact adds to its two bodies.
+struct Push {
+  Vec3 force_i = Vec3::Zero(), force_j = Vec3::Zero();
+  Vec3 torque_i = Vec3::Zero(), torque_j = Vec3::Zero();
+};
+
+// The rows of a contact's history: friction's values, those of rolling, of cohesion.
+struct HistoryPlaces {
+  int rolling = 0, cohesion = 0, width = 0;
+};
+
+template <class Normal, class Tangential, class Rolling, class Cohesion>
+class ContactLaws {
+ public:
+  static constexpr bool has_rolling = !std::is_same_v<Rolling, RollingOff>;
+  static constexpr bool has_cohesion = !std::is_same_v<Cohesion, CohesionOff>;
+  static constexpr bool levers_are_radii = Tangential::levers_are_radii;
+
+  Normal normal;
+  Tangential tangential;
+  Rolling rolling;
+  Cohesion cohesion;
+  HistoryPlaces places;
+
+  // Bodies in touch; `view` is complete but for what the normal law says. `velocity` of i from j.
+  // `row` may be null where no law has a history.
+  void touching(Touch& touch, const Vec3& velocity, ContactView& view, double* row, Push& push) {
+    find_motion<levers_are_radii>(touch, velocity);
+    normal.touching(touch);
+    const Vec3 along = touch.normal_force * touch.normal;
+    push.force_i += along;
+    push.force_j -= along;
+    const ContactForces forces{push.force_i.data(), push.torque_i.data(), push.force_j.data(),
+                               push.torque_j.data()};
+    if constexpr (has_cohesion) {
+      show(touch, view, row);
+      cohesion.touching(view, forces);
+      touch.normal_force = view.Fn;
+    }
+    const Vec3 friction = tangential.touching(touch, row);
+    const Vec3 twist = cross(friction, touch.normal);
+    push.force_i += friction;
+    push.force_j -= friction;
+    push.torque_i += touch.lever_i * twist;
+    push.torque_j += touch.lever_j * twist;
+    if constexpr (std::is_base_of_v<RollingResistance, Rolling>) {
+      const Vec3 torque = rolling.torque(touch, row + places.rolling);
+      push.torque_i += torque;
+      push.torque_j -= torque;
+    } else if constexpr (has_rolling) {
+      show(touch, view, row);
+      view.history = row == nullptr ? nullptr : row + places.rolling;
+      rolling.touching(view, forces);
+    }
+    if constexpr (has_cohesion) {
+      view.history = row == nullptr ? nullptr : row + places.cohesion;
+      cohesion.after_all(view, forces);
+    }
+  }
+
+  // Bodies that are apart; whether a force acts.
+  bool apart(ContactView& view, double* row, Push& push) {
+    if constexpr (has_cohesion) {
+      view.history = row == nullptr ? nullptr : row + places.cohesion;
+      view.acts = false;
+      cohesion.apart(view, ContactForces{push.force_i.data(), push.torque_i.data(),
+                                         push.force_j.data(), push.torque_j.data()});
+      return view.acts;
+    } else {
+      return false;
+    }
+  }
+
+  // What friction and rolling remember ends when the bodies part.
+  void forget_touch(double* row) const {
+    for (int n = 0; n < places.cohesion; ++n) row[n] = 0.0;
+  }
+
+ private:
+  void show(const Touch& touch, ContactView& view, double* row) const {
+    view.history = row == nullptr ? nullptr : row + places.cohesion;
+    view.en = touch.normal.data();
+    view.overlap = touch.overlap;
+    view.vn = touch.parting;
+    view.meff = touch.reduced_mass;
+    view.kn = touch.normal_stiffness;
+    view.kt = touch.tangential_stiffness;
+    view.Fn = touch.normal_force;
+  }
+};
+
+}  // namespace gasgrain::contact

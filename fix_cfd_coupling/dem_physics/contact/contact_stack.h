@@ -1,0 +1,105 @@
+// A stack of contact laws behind one interface, so that a host chooses it by name once and calls
+// its loops as a whole; inside of a loop nothing is virtual.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "fix_cfd_coupling/dem_physics/contact/contact_loop.h"
+
+namespace gasgrain::contact {
+
+// As scripts write them; 'off' where there is none.
+struct StackName {
+  std::string normal, tangential, rolling = "off", cohesion = "off";
+
+  [[nodiscard]] auto parts() const { return std::tie(cohesion, normal, tangential, rolling); }
+  bool operator<(const StackName& other) const { return parts() < other.parts(); }
+};
+
+// The host that a law is connected to: its name as of errors, and where its history begins.
+using HostOfLaw = std::function<ContactHost&(const std::string& law, int history_offset)>;
+
+class ContactStack {
+ public:
+  virtual ~ContactStack() = default;
+
+  // Of a row of the history, in its order.
+  [[nodiscard]] virtual std::vector<HistoryValue> history() const = 0;
+  virtual void words(LawWords& words) = 0;
+  virtual void connect(const StackName& name, const HostOfLaw& host_of) = 0;
+  virtual void set_reach(const Reach& reach) = 0;
+  [[nodiscard]] virtual bool has_cohesion() const = 0;
+
+  virtual void begin_pass() = 0;
+  virtual void pairs(const Grains& grains, const NeighbourList& list, const ContactRows& rows,
+                     ContactObserver* observer) = 0;
+  virtual void wall(const Grains& grains, const WallNeighbours& near, const PrimitiveWall& shape,
+                    int type, ContactObserver* observer) = 0;
+  // One pair alone; false: nothing acts.
+  virtual bool pair(const Grains& grains, int i, int j, const Vec3& delta, int* use, double* row,
+                    Push& push) = 0;
+};
+
+template <class Normal, class Tangential, class Rolling, class Cohesion>
+class CompiledStack final : public ContactStack {
+  using Laws = ContactLaws<Normal, Tangential, Rolling, Cohesion>;
+
+ public:
+  explicit CompiledStack(bool of_wall) : of_wall_(of_wall) {
+    loop_.laws.places.rolling = static_cast<int>(Tangential::history().size());
+    loop_.laws.places.cohesion =
+        loop_.laws.places.rolling + static_cast<int>(Rolling::history(of_wall).size());
+    loop_.laws.places.width =
+        loop_.laws.places.cohesion + static_cast<int>(Cohesion::history(of_wall).size());
+  }
+
+  [[nodiscard]] std::vector<HistoryValue> history() const override {
+    std::vector<HistoryValue> all = Tangential::history();
+    for (const auto& value : Rolling::history(of_wall_)) all.push_back(value);
+    for (const auto& value : Cohesion::history(of_wall_)) all.push_back(value);
+    return all;
+  }
+  void words(LawWords& words) override {
+    loop_.laws.normal.words(words);
+    loop_.laws.tangential.words(words);
+    loop_.laws.rolling.words(words);
+    loop_.laws.cohesion.words(words);
+  }
+  void connect(const StackName& name, const HostOfLaw& host_of) override {
+    Laws& laws = loop_.laws;
+    laws.normal.connect(host_of("model " + name.normal, -1));
+    laws.tangential.connect(host_of("tangential " + name.tangential, 0));
+    if (Laws::has_rolling)
+      laws.rolling.connect(host_of("rolling_friction " + name.rolling, laws.places.rolling));
+    if (Laws::has_cohesion)
+      laws.cohesion.connect(
+          host_of("cohesion " + name.cohesion,
+                  laws.places.cohesion < laws.places.width ? laws.places.cohesion : -1));
+  }
+  void set_reach(const Reach& reach) override { loop_.reach = reach; }
+  [[nodiscard]] bool has_cohesion() const override { return Laws::has_cohesion; }
+
+  void begin_pass() override { loop_.laws.cohesion.begin_pass(); }
+  void pairs(const Grains& grains, const NeighbourList& list, const ContactRows& rows,
+             ContactObserver* observer) override {
+    loop_.pairs(grains, list, rows, observer);
+  }
+  void wall(const Grains& grains, const WallNeighbours& near, const PrimitiveWall& shape, int type,
+            ContactObserver* observer) override {
+    loop_.wall(grains, near, shape, type, observer);
+  }
+  bool pair(const Grains& grains, int i, int j, const Vec3& delta, int* use, double* row,
+            Push& push) override {
+    return loop_.pair(grains, i, j, delta, delta.squaredNorm(), use, row, push);
+  }
+
+ private:
+  ContactLoop<Laws> loop_;
+  bool of_wall_;
+};
+
+}  // namespace gasgrain::contact

@@ -1,0 +1,35 @@
+// Rolling resistance by an elastic-plastic spring as stiff as the tangential one, without a
+// dashpot.
+//
+//   T += k_t R*^2 w_t dt, |T| <= mu_r R* |F_n|      M_i = -T       w_t as in rolling_epsd.h
+//
+// Source: C.M. Wensrich, A. Katterfeld, Powder Technol. 217 (2012)
+//   409.
+// Inputs: mu_r [-]; T [N m] in the contact's history, odd under i <-> j. Output: torque on i [N m];
+//   on j the opposite one. Range: mu_r >= 0.
+// Word: torsionTorque off (on: w_t = w).
+// Deviations: none from LIGGGHTS's `rolling_friction epsd2`.
+#pragma once
+
+#include "fix_cfd_coupling/dem_physics/contact/rolling_epsd.h"
+
+namespace gasgrain::contact {
+
+class RollingEpsd2 : public RollingResistance {
+ public:
+  static constexpr const char* name = "epsd2";
+  static std::vector<HistoryValue> history(bool /*of_wall*/) { return torque_history(); }
+
+  Vec3 torque(const Touch& touch, double* stored) const {
+    const double radius = touch.reduced_radius;
+    const Vec3 turning = rolling(touch);
+    Vec3 torque;
+    wind_up(touch, touch.tangential_stiffness * radius * radius, turning,
+            friction(touch) * radius * std::abs(touch.normal_force), stored, torque);
+    if (touch.updates)
+      for (int d = 0; d < 3; ++d) stored[d] = torque[d];
+    return -torque;
+  }
+};
+
+}  // namespace gasgrain::contact

@@ -1,0 +1,44 @@
+// What LIGGGHTS's models of rolling friction share: torque(touch, stored) on i [N m], on j the
+// opposite one; the word torsionTorque; and how one body turns on the other, which is the
+// difference of spins of two spheres, of a sphere on a wall its spin times lever arm over distance.
+#pragma once
+
+#include "fix_cfd_coupling/dem_physics/contact/property_range.h"
+#include "fix_cfd_coupling/dem_physics/contact/rolling_law.h"
+#include "fix_cfd_coupling/dem_physics/contact/touch.h"
+
+namespace gasgrain::contact {
+
+inline Vec3 turning_of(const Touch& touch) {
+  if (touch.is_wall) return touch.lever_i / touch.distance * touch.spin_i;
+  return touch.spin_i - touch.spin_j;
+}
+
+inline Vec3 across(const Vec3& vector, const Vec3& normal) {
+  return vector - vector.dot(normal) * normal;
+}
+
+class RollingResistance : public RollingLaw {
+ public:
+  void words(LawWords& words) { words.on_off("torsionTorque", torsion_, false); }
+  void connect(ContactHost& host) { friction_ = pairs_in(host, properties::rolling_friction); }
+
+ protected:
+  [[nodiscard]] double friction(const Touch& touch) const {
+    return friction_(touch.type_i, touch.type_j);
+  }
+  [[nodiscard]] Vec3 rolling(const Touch& touch) const {
+    const Vec3 turning = turning_of(touch);
+    return torsion_ ? turning : across(turning, touch.normal);
+  }
+  bool torsion_ = false;
+
+ private:
+  PairTable<double> friction_;  // mu_r
+};
+
+inline std::vector<HistoryValue> torque_history() {
+  return {{"r_torquex_old", true}, {"r_torquey_old", true}, {"r_torquez_old", true}};
+}
+
+}  // namespace gasgrain::contact

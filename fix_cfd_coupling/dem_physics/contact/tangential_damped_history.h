@@ -1,0 +1,40 @@
+// The tangential spring of LAMMPS's own granular styles: spring and dashpot together are held to
+// Coulomb's limit, and lever arms are the radii.
+//
+//   s += v_t dt,  s -= (s . n) n,  F = -k_t s - gamma_t v_t
+//   F_t = F                                 where |F| <= mu |F_n|
+//   F_t = mu |F_n| F / |F|, s = (-F_t - gamma_t v_t) / k_t    where it slides; 0 where s was 0
+//
+// Source: L.E. Silbert et al., Phys. Rev. E 64 (2001) 051302; documentation of LAMMPS, pair_style
+//   gran/hertz/history.
+// Inputs, outputs, range: as tangential_history.h.
+// Deviations: none from gran/hooke/history and gran/hertz/history of LAMMPS 29 Sep 2021; as there,
+//   the history follows sliding even where forces are only looked at.
+#pragma once
+
+#include "fix_cfd_coupling/dem_physics/contact/tangential_history.h"
+
+namespace gasgrain::contact {
+
+class TangentialDampedHistory : public TangentialLaw {
+ public:
+  static constexpr const char* name = "damped_history";
+  static std::vector<HistoryValue> history() { return shear_history(); }
+  static constexpr bool levers_are_radii = true;
+
+  Vec3 touching(const Touch& touch, double* stored) const {
+    Vec3 slip = follow_slip(touch, stored);
+    const Vec3 dashpot = touch.tangential_damping * touch.slip;
+    Vec3 force = -touch.tangential_stiffness * slip - dashpot;
+    const double size = force.norm();
+    const double most = limit(touch);
+    store_slip(touch, slip, stored);
+    if (!(size > most)) return force;
+    if (slip.isZero(0.0)) return Vec3::Zero();
+    force *= most / size;
+    for (int d = 0; d < 3; ++d) stored[d] = (-force[d] - dashpot[d]) / touch.tangential_stiffness;
+    return force;
+  }
+};
+
+}  // namespace gasgrain::contact

@@ -1,0 +1,58 @@
+// Two spheres that touch, or a sphere and a wall: where, how deep, and how they move there.
+//
+//   n = (x_i - x_j) / r          delta = R_i + R_j - r           r = |x_i - x_j|
+//   v_n = (v_i - v_j) . n        above 0 where they part
+//   v_t = v_i - v_j - v_n n - (l_i w_i + l_j w_j) x n            slip of the surfaces
+//   R* = R_i R_j / (R_i + R_j)   m* = m_i m_j / (m_i + m_j)
+//
+// The lever arms l go to the middle of the overlap, R - delta / 2, or are the radii: a tangential
+// law says which. A wall has R_j = 0, no spin of its own, R* = R_i and m* = m_i; r is the distance
+// of the centre from its nearest point.
+//
+// A normal law writes k_n, k_t, gamma_n, gamma_t and F_n; the tangential and rolling laws read
+// them. Units: SI, spins [rad/s]. Assumes spheres.
+#pragma once
+
+#include <cmath>
+
+#include "coupling/base/vec3.h"
+
+namespace gasgrain::contact {
+
+inline Vec3 cross(const Vec3& a, const Vec3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+struct Touch {
+  Vec3 normal;  // from j, or the wall, to i
+  double distance = 0.0, overlap = 0.0;
+  double radius_i = 0.0, radius_j = 0.0, reduced_radius = 0.0;
+  double mass_i = 0.0, mass_j = 0.0, reduced_mass = 0.0;
+  double lever_i = 0.0, lever_j = 0.0;
+  Vec3 spin_i, spin_j;
+  double parting = 0.0;        // v_n
+  Vec3 slip;                   // v_t
+  int type_i = 0, type_j = 0;  // from 1
+  bool is_wall = false;
+  bool updates = false;  // the history may change
+  double step = 0.0;     // [s]
+
+  // of the normal law
+  double normal_stiffness = 0.0, tangential_stiffness = 0.0;  // [N/m]
+  double normal_damping = 0.0, tangential_damping = 0.0;      // [N s/m]
+  double normal_force = 0.0;                                  // on i along n, damping included
+};
+
+// Fills what follows from distance, radii, masses, spins and the velocity of i relative to j.
+template <bool levers_are_radii>
+inline void find_motion(Touch& touch, const Vec3& velocity) {
+  const double half = levers_are_radii ? 0.0 : 0.5 * touch.overlap;
+  touch.lever_i = touch.radius_i - half;
+  touch.lever_j = touch.is_wall ? 0.0 : touch.radius_j - half;
+  touch.parting = velocity.dot(touch.normal);
+  Vec3 turning = touch.lever_i * touch.spin_i;
+  if (!touch.is_wall) turning += touch.lever_j * touch.spin_j;
+  touch.slip = velocity - touch.parting * touch.normal - cross(turning, touch.normal);
+}
+
+}  // namespace gasgrain::contact
