@@ -17,6 +17,9 @@
 #include "fix_cfd_coupling/fixes/host_error.h"
 #include "fix_cfd_coupling/fixes/host_session.h"
 #include "fix_cfd_coupling/lammps/dump_custom_vtk.h"
+#include "fix_cfd_coupling/lammps/fix_property_global.h"
+#include "fix_cfd_coupling/lammps/fix_wall_gran_bridge.h"
+#include "fix_cfd_coupling/lammps/pair_gran_bridge.h"
 #include "fix_cfd_coupling/lammps/plugin_session.h"
 // --
 #include "lammps.h"
@@ -61,8 +64,10 @@ constexpr std::array fixes{
     FixEntry{"parcels", &make_fix<LAMMPS_NS::FixParcels>},
     FixEntry{"parcels/inject", &make_fix<LAMMPS_NS::FixParcelsInject>},
     FixEntry{"collisional_exchange", &make_fix<LAMMPS_NS::FixCollisionalExchange>},
-    FixEntry{"exchange/bgk", &make_fix<LAMMPS_NS::FixCollisionalExchange>}};
-constexpr std::array<PairEntry, 0> pairs{};
+    FixEntry{"exchange/bgk", &make_fix<LAMMPS_NS::FixCollisionalExchange>},
+    FixEntry{"property/global", &make_fix<LAMMPS_NS::FixPropertyGlobal>},
+    FixEntry{"wall/gran/bridge", &make_fix<LAMMPS_NS::FixWallGranBridge>}};
+constexpr std::array pairs{PairEntry{"gran/bridge", &make_pair<LAMMPS_NS::PairGranBridge>}};
 
 // The PLUGIN package knows no dumps.
 void add_dumps(LAMMPS& host) {
