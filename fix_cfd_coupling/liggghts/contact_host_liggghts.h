@@ -17,7 +17,7 @@ class IContactHistorySetup;
 
 namespace gasgrain {
 
-class ContactHostLiggghts : public contact::ContactHost {
+class ContactHostLiggghts final : public contact::ContactHost {
  public:
   // `place`: the pair style or the wall, as the host's models know it.
   ContactHostLiggghts(LAMMPS_NS::LAMMPS& host, LIGGGHTS::IContactHistorySetup& place,
@@ -59,10 +59,9 @@ class ContactHostLiggghts : public contact::ContactHost {
   void warn(const std::string& text) const override;
   void warn_from_here(const std::string& text) const override;
 
- protected:
+ private:
   void end_launch(const std::string& message) const override;
 
- private:
   LAMMPS_NS::LAMMPS& host_;
   LIGGGHTS::IContactHistorySetup& place_;
   LAMMPS_NS::FixWallGran* wall_;  // null of a pair style

@@ -68,13 +68,15 @@ class MeshPlaces final : public contact::WallParts {
 template <class Law>
 class LawOfHost {
  public:
-  // `words_before`: what the script writes before the law's name.
+  // `name`: with the script's word before it, for messages.
   LawOfHost(LAMMPS_NS::LAMMPS* host, LIGGGHTS::IContactHistorySetup* place,
             LIGGGHTS::ContactModels::ContactModelBase* model, const std::string& name)
       : asked(*host, *place, name) {
     for (const auto& value : Law::history(model->is_wall())) {
       const int at = place->add_history_value(value.name, value.changes_sign ? "1" : "0");
-      if (asked.history_offset() >= 0) continue;
+      if (remembers_) continue;
+      remembers_ = true;
+      offset_ = at;
       asked.set_history_offset(at);
       model->add_history_offset(value.name, at);
     }
@@ -96,21 +98,25 @@ class LawOfHost {
     c.delta = data.delta;
     c.v_i = data.v_i;
     c.v_j = data.v_j;
-    // Those of the data are of the last pair that touched.
-    c.omega_i = atom.omega[data.i];
-    c.omega_j = data.is_wall ? nullptr : atom.omega[data.j];
+    c.omega_i = data.omega_i;
+    c.omega_j = data.omega_j;
     c.updates = data.computeflag != 0 && data.shearupdate != 0;
-    c.history = asked.history_offset() < 0 || data.contact_history == nullptr
-                    ? nullptr
-                    : data.contact_history + asked.history_offset();
+    c.history = data.contact_history == nullptr ? nullptr : data.contact_history + offset_;
     c.dt = update.dt;
     c.step = update.ntimestep;
     c.area_ratio = data.area_ratio;
     c.place = 0.0;
     c.parts = nullptr;
-    c.keep = data.contact_flags != nullptr &&
-             (*data.contact_flags & LIGGGHTS::ContactModels::CONTACT_COHESION_MODEL) != 0;
+    c.keep = false;
     c.acts = false;
+    return c;
+  }
+  contact::ContactView view_of_gap(const CloseData& data, LAMMPS_NS::Atom& atom,
+                                   LAMMPS_NS::Update& update) const {
+    contact::ContactView c = view(data, atom, update);
+    // The data have those of the last pair that touched.
+    c.omega_i = atom.omega[data.i];
+    if (!data.is_wall) c.omega_j = atom.omega[data.j];
     return c;
   }
   contact::ContactView view_of_touch(const IntersectData& data, LAMMPS_NS::Atom& atom,
@@ -125,12 +131,24 @@ class LawOfHost {
     c.Fn = data.Fn;
     return c;
   }
+  // What the host keeps of a contact when it makes its lists anew.
+  void keep(const contact::ContactView& c, const CloseData& data) const {
+    if (!c.updates || !remembers_ || data.contact_flags == nullptr) return;
+    if (c.keep)
+      *data.contact_flags |= LIGGGHTS::ContactModels::CONTACT_COHESION_MODEL;
+    else
+      *data.contact_flags &= ~LIGGGHTS::ContactModels::CONTACT_COHESION_MODEL;
+  }
   static contact::ContactForces forces(HostForces& i, HostForces& j) {
     return {i.delta_F, i.delta_torque, j.delta_F, j.delta_torque};
   }
 
   Law law;
   ContactHostLiggghts asked;
+
+ private:
+  bool remembers_ = false;
+  int offset_ = 0;  // of the law's values in a contact's row, where it remembers any
 };
 
 template <class Law>
@@ -151,39 +169,38 @@ class CohesionAdaptor : public LIGGGHTS::ContactModels::CohesionModelBase {
   void beginPass(IntersectData&, HostForces&, HostForces&) override { own_.law.begin_pass(); }
   void endPass(IntersectData&, HostForces&, HostForces&) override {}
 
-  void surfacesIntersect(IntersectData& data, HostForces& i, HostForces& j) override {
+  [[gnu::flatten]] void surfacesIntersect(IntersectData& data, HostForces& i,
+                                          HostForces& j) override {
     auto c = own_.view_of_touch(data, *atom, *update);
-    with_place(c, data, [&] { own_.law.touching(c, own_.forces(i, j)); });
+    at_place(c, data, [&] { own_.law.touching(c, own_.forces(i, j)); });
+    own_.keep(c, data);
     data.Fn = c.Fn;
   }
-  void endSurfacesIntersect(IntersectData& data, HostForces& i, HostForces& j) override {
+  [[gnu::flatten]] void endSurfacesIntersect(IntersectData& data, HostForces& i,
+                                             HostForces& j) override {
     auto c = own_.view_of_touch(data, *atom, *update);
     own_.law.after_all(c, own_.forces(i, j));
   }
-  void surfacesClose(CloseData& data, HostForces& i, HostForces& j) override {
-    auto c = own_.view(data, *atom, *update);
-    with_place(c, data, [&] { own_.law.apart(c, own_.forces(i, j)); });
+  [[gnu::flatten]] void surfacesClose(CloseData& data, HostForces& i, HostForces& j) override {
+    auto c = own_.view_of_gap(data, *atom, *update);
+    at_place(c, data, [&] { own_.law.apart(c, own_.forces(i, j)); });
+    own_.keep(c, data);
     data.has_force_update = data.has_force_update || c.acts;
   }
 
  private:
   template <class Act>
-  void with_place(contact::ContactView& c, const CloseData& data, const Act& act) {
+  void at_place(contact::ContactView& c, const CloseData& data, const Act& act) {
     if constexpr (Law::at_places) {
-      const MeshPlaces parts(data.mesh);
       if (c.is_wall) {
+        const MeshPlaces parts(data.mesh);
         c.place = MeshPlaces::of(data, *own_.asked.wall());
         c.parts = data.mesh != nullptr ? &parts : nullptr;
+        act();
+        return;
       }
-      act();
-    } else {
-      act();
     }
-    if (data.contact_flags == nullptr || own_.asked.history_offset() < 0) return;
-    if (c.keep)
-      *data.contact_flags |= LIGGGHTS::ContactModels::CONTACT_COHESION_MODEL;
-    else
-      *data.contact_flags &= ~LIGGGHTS::ContactModels::CONTACT_COHESION_MODEL;
+    act();
   }
 
   LawOfHost<Law> own_;
@@ -207,12 +224,13 @@ class RollingAdaptor : public LIGGGHTS::ContactModels::RollingModelBase {
   void beginPass(IntersectData&, HostForces&, HostForces&) override {}
   void endPass(IntersectData&, HostForces&, HostForces&) override {}
 
-  void surfacesIntersect(IntersectData& data, HostForces& i, HostForces& j) override {
+  [[gnu::flatten]] void surfacesIntersect(IntersectData& data, HostForces& i,
+                                          HostForces& j) override {
     auto c = own_.view_of_touch(data, *atom, *update);
     own_.law.touching(c, own_.forces(i, j));
   }
-  void surfacesClose(CloseData& data, HostForces& i, HostForces& j) override {
-    auto c = own_.view(data, *atom, *update);
+  [[gnu::flatten]] void surfacesClose(CloseData& data, HostForces& i, HostForces& j) override {
+    auto c = own_.view_of_gap(data, *atom, *update);
     own_.law.apart(c, own_.forces(i, j));
   }
 

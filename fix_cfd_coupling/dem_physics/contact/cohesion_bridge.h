@@ -78,7 +78,7 @@ class CohesionBridge : public CohesionLaw {
       if (bridge.stands() && gap < bridge.rupture - margin && next_gap < reach_ * c.radsum - margin)
         liquid::stand(films, pair, bridge);
       else
-        decide(c, pair, bridge, velocity);
+        decide(pair, c.delta, c.dt, bridge, velocity);
       c.keep = !bridge.absent();
     }
     if (!bridge.stands()) return;
@@ -106,16 +106,17 @@ class CohesionBridge : public CohesionLaw {
   }
 
   // Where a bridge may form or break. Across a periodic face the two owners see distances that
-  // differ in their last digits; what they decide must not.
-  void decide(const ContactView& c, const liquid::GrainPair& pair, liquid::StoredBridge& bridge,
-              const Vec3& velocity) {
-    const Vec3 apart = liquid_->periodic() ? liquid_->between(c.i, c.j) : vec(c.delta);
+  // differ in their last digits; what they decide must not. Seldom, and so kept out of the loop.
+  [[gnu::noinline]] void decide(const liquid::GrainPair& pair, const double* delta, double dt,
+                                liquid::StoredBridge& bridge, const Vec3& velocity) {
+    const Vec3 apart = liquid_->periodic() ? liquid_->between(pair.i, pair.j) : vec(delta);
     const double distance = apart.norm();
-    const double gap = distance - c.radsum;
-    const double next_gap = gap + 2.0 * std::abs(velocity.dot(apart)) / distance * c.dt;
+    const double radsum = pair.radius_i + pair.radius_j;
+    const double gap = distance - radsum;
+    const double next_gap = gap + 2.0 * std::abs(velocity.dot(apart)) / distance * dt;
     const int* numbers = *numbers_;
     liquid::advance(liquid_->settings(), liquid_->films(), liquid_->counts(), pair,
-                    {numbers[c.i], numbers[c.j]}, bridge, gap, next_gap, reach_ * c.radsum);
+                    {numbers[pair.i], numbers[pair.j]}, bridge, gap, next_gap, reach_ * radsum);
   }
 
   void act_on_wall(ContactView& c, const ContactForces& f) {

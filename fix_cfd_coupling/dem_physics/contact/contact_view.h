@@ -43,8 +43,8 @@ struct ContactView {
   double place;            // at a wall of triangles: which one
   const WallParts* parts;  // null of a wall of one part
 
-  // Out, of a law with a history: whether the host keeps the contact's values when it makes its
-  // lists anew, though the bodies are apart. As it was, where a law does not say.
+  // Out, of a law with a history, where `updates`: whether the host keeps the contact's values when
+  // it makes its lists anew, though the bodies are apart.
   bool keep;
   // Out, of bodies that are apart: a force was added.
   bool acts;
