@@ -1,4 +1,7 @@
-"""Runs scripts of parcels and grains with the real program and reads what it wrote."""
+"""Runs scripts of parcels and grains with the real programs and reads what they wrote.
+
+Scripts are in LIGGGHTS's words; `lammps` after the folder of the build runs them in LAMMPS.
+"""
 
 import csv
 import os
@@ -8,6 +11,9 @@ import subprocess
 import sys
 import tempfile
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "hosts"))
+from host_words import HOST, command_of, in_words_of  # noqa: E402
 
 BUILD = Path(sys.argv.pop(1) if len(sys.argv) > 1 and Path(sys.argv[1]).is_dir() else "build").resolve()
 
@@ -28,8 +34,8 @@ def words(numbers):
 
 
 class Atom:
-    def __init__(self, x, v=(0.0, 0.0, 0.0), radius=1e-3, density=2000.0, kind=1):
-        self.x, self.v, self.radius, self.density, self.kind = x, v, radius, density, kind
+    def __init__(self, x, v=(0.0, 0.0, 0.0), radius=1e-3, density=2000.0, kind=1, spin=(0.0, 0.0, 0.0)):
+        self.x, self.v, self.spin, self.radius, self.density, self.kind = x, v, spin, radius, density, kind
 
 
 def cloud(count, size, seed, speed=1.0, radius=1e-3, margin=0.0):
@@ -46,7 +52,7 @@ def data_file(atoms, size, types=1):
     lines += ["", "Atoms", ""]
     lines += [f"{n} {a.kind} {2 * a.radius:.17g} {a.density:.17g} {words(a.x)}" for n, a in enumerate(atoms, 1)]
     lines += ["", "Velocities", ""]
-    lines += [f"{n} {words(a.v)} 0 0 0" for n, a in enumerate(atoms, 1)]
+    lines += [f"{n} {words(a.v)} {words(a.spin)}" for n, a in enumerate(atoms, 1)]
     return "\n".join(lines) + "\n"
 
 
@@ -68,12 +74,12 @@ class Scene:
     def __exit__(self, *_):
         self.held.cleanup()
 
-    def run(self, body, ranks=1, fails=False, boundary="p p p", processors="", start=None, gas=0):
+    def run(self, body, ranks=1, fails=False, boundary="p p p", processors="", start=None, gas=0, host=HOST):
         """What the program prints; gas: ranks of a gas program in the launch."""
         text = HEAD.format(boundary=boundary, processors=processors) + (start or self.start)
-        (self.folder / "in.liggghts").write_text(text + "pair_style none\nneighbor 0.002 bin\n" * ("pair_style" not in body)
-                                                 + "neigh_modify delay 0\n" + body)
-        command = [str(BUILD / "gasgrain-liggghts"), "-in", "in.liggghts"]
+        text += "pair_style none\nneighbor 0.002 bin\n" * ("pair_style" not in body) + "neigh_modify delay 0\n" + body
+        (self.folder / f"in.{host}").write_text(in_words_of(host, text, BUILD))
+        command = [*command_of(host, BUILD, gas > 0), "-in", f"in.{host}"]
         if ranks > 1 or gas:
             command = ["mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none",
                        "-np", str(ranks), *command]
@@ -106,13 +112,13 @@ class Scene:
         text = (self.folder / name).read_text()
         return text[text.rindex("ITEM: ATOMS"):]
 
-    def log(self):
+    def log(self, host=HOST):
         """Rows of the thermo tables, a list for each run."""
         runs = []
         rows = None
-        for line in (self.folder / "log.liggghts").read_text().splitlines():
+        for line in (self.folder / f"log.{host}").read_text().splitlines():
             if line.split()[:1] == ["Step"]:
-                names = line.split()
+                names = [name.removeprefix("f_") for name in line.split()]
                 rows = []
                 runs.append(rows)
             elif line.startswith("Loop time"):
@@ -152,8 +158,8 @@ def largest_difference(one, other):
 def refused(test, scene, body, *expected, **options):
     """One message with these words, and a status that is not 0, in time."""
     text = scene.run(body, fails=True, **options)
-    lines = [line for line in text.splitlines() if "gasgrain-liggghts: error:" in line]
+    lines = [line for line in text.splitlines() if f"gasgrain-{HOST}: error:" in line]
     test.assertEqual(len(lines), 1, text[-2000:])
-    message = text[text.index("gasgrain-liggghts: error:"):].split("-----")[0]
+    message = text[text.index(f"gasgrain-{HOST}: error:"):].split("-----")[0]
     for part in expected:
         test.assertIn(part, message)

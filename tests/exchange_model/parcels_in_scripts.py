@@ -6,7 +6,7 @@ import unittest
 
 import numpy as np
 
-from parcel_scripts import Atom, Scene, cloud, dump, largest_difference, refused, thermo
+from parcel_scripts import HOST, Atom, Scene, cloud, dump, largest_difference, refused, thermo
 
 ROUND_OFF = 1e-12  # of sums and of what ranks add up in another order
 PACKING = 0.6
@@ -316,7 +316,9 @@ class Refusals(unittest.TestCase):
                     "fix m2 all property/global poissonsRatio peratomtype 0.45\n"
                     "fix m3 all property/global coefficientRestitution peratomtypepair 1 0.7\n"
                     "pair_style gran model hertz tangential off\npair_coeff * *\n")
-        self.refuse(contacts + self.P + "run 1\n", "in.liggghts", "parcels have no contacts", "pair_style none")
+        if HOST == "lammps":
+            contacts = "neighbor 0.002 bin\npair_style gran/hertz/history 5e6 NULL 50 NULL 0.5 1\npair_coeff * *\n"
+        self.refuse(contacts + self.P + "run 1\n", f"in.{HOST}", "parcels have no contacts", "pair_style none")
         self.refuse(self.P + "fix n all nve/sphere\nrun 1\n", "fix n nve/sphere", "Take it away", ranks=2)
         self.refuse(self.P + self.P.replace("fix p", "fix q"), "there is a fix parcels already")
         self.refuse("fix p all parcels\nrun 1\n", "no cells", "'cells NX NY NZ'")
