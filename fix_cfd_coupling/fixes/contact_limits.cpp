@@ -81,37 +81,34 @@ class ContactReader {
   // Whether all that the model needs is there.
   [[nodiscard]] bool complete() const {
     if (model_ == NormalModel::hertz || model_ == NormalModel::hooke)
-      return youngs_ != nullptr && poisson_ != nullptr &&
-             (model_ == NormalModel::hertz || velocity_ != nullptr);
-    return kn_ != nullptr;
+      return youngs_ && poisson_ && (model_ == NormalModel::hertz || velocity_);
+    return static_cast<bool>(kn_);
   }
 
   [[nodiscard]] Collision collide(const Body& a, const Body& b) const {
     const double mass = combined(a.mass, b.mass);
     const double radius = combined(a.radius, b.radius);
     // `hooke` with the word viscous has no such table; undamped is the shorter contact.
-    const double e =
-        restitution_ != nullptr ? restitution_->compute_array(a.type - 1, b.type - 1) : 1.0;
+    const double e = restitution_ ? restitution_.of(a.type, b.type) : 1.0;
     Collision met{none, a, b, ""};
-    if (kn_ != nullptr) {
-      const double kn = kn_->compute_array(a.type - 1, b.type - 1);
+    if (kn_) {
+      const double kn = kn_.of(a.type, b.type);
       met.stiffness = fmt::format("kn {:g}", kn);
       met.duration = model_ == NormalModel::hooke_stiffness
                          ? contact::linear_duration(kn, mass)
                          : contact::hertz_duration(kn * std::sqrt(radius), mass, speed_);
       return met;
     }
-    const double youngs_a = youngs_->compute_vector(a.type - 1);
-    const double youngs_b = youngs_->compute_vector(b.type - 1);
+    const double youngs_a = youngs_.of(a.type);
+    const double youngs_b = youngs_.of(b.type);
     const double modulus =
-        contact::effective_modulus(youngs_a, poisson_->compute_vector(a.type - 1), youngs_b,
-                                   poisson_->compute_vector(b.type - 1));
+        contact::effective_modulus(youngs_a, poisson_.of(a.type), youngs_b, poisson_.of(b.type));
     met.stiffness = fmt::format("youngsModulus {:g} Pa", std::max(youngs_a, youngs_b));
     if (model_ == NormalModel::hertz) {
       met.duration =
           contact::hertz_duration(contact::hertz_stiffness(modulus, radius), mass, speed_, e);
     } else {
-      const double v = velocity_->compute_scalar();
+      const double v = velocity_.value();
       met.stiffness += fmt::format(", characteristicVelocity {:g} m/s", v);
       met.duration =
           contact::linear_duration(contact::hooke_stiffness(modulus, radius, mass, v), mass, e);
@@ -122,11 +119,11 @@ class ContactReader {
  private:
   NormalModel model_;
   double speed_;
-  Fix* youngs_ = nullptr;
-  Fix* poisson_ = nullptr;
-  Fix* restitution_ = nullptr;
-  Fix* velocity_ = nullptr;
-  Fix* kn_ = nullptr;
+  Material youngs_;
+  Material poisson_;
+  Material restitution_;
+  Material velocity_;
+  Material kn_;
 };
 
 // The smallest grain of each type on all ranks; types without grains are left out.

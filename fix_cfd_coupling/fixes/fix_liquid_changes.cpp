@@ -10,7 +10,6 @@
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
-#include "error.h"
 #include "modify.h"
 
 namespace LAMMPS_NS {
@@ -48,13 +47,12 @@ void FixLiquid::dissolve_bridges_of_renumbered_grains() {
       b.clear();
     });
   MPI_Allreduce(MPI_IN_PLACE, &dissolved, 1, MPI_DOUBLE, MPI_SUM, world);
-  if (comm->me == 0 && dissolved > 0.0)
-    error->warning(FLERR,
-                   fmt::format("fix liquid: the grains were given new numbers, and {} bridges were "
-                               "broken as the host lost track of them. Write 'delete_atoms ... "
-                               "compress no'.",
-                               dissolved)
-                       .c_str());
+  if (dissolved > 0.0)
+    host_warning(
+        fmt::format("fix liquid: the grains were given new numbers, and {} bridges were "
+                    "broken as the host lost track of them. Write 'delete_atoms ... "
+                    "compress no'.",
+                    dissolved));
 }
 
 void FixLiquid::leave_box(bool from_list) {

@@ -12,7 +12,6 @@
 // --
 #include "atom.h"
 #include "comm.h"
-#include "error.h"
 #include "update.h"
 
 namespace LAMMPS_NS {
@@ -86,11 +85,10 @@ void FixLiquid::begin_ledger() {
   // Round-off is not the script's doing.
   if (std::abs(excess) <= 1e-12 * now.liquid()) return;
   (excess > 0.0 ? ledger_.came_in : ledger_.gone) += std::abs(excess);
-  if (comm->me == 0)
-    error->message(FLERR, fmt::format("fix liquid: between two runs the script has {} {:.6g} m3 of "
-                                      "liquid.",
-                                      excess > 0.0 ? "added" : "taken away", std::abs(excess))
-                              .c_str());
+  host_message(
+      fmt::format("fix liquid: between two runs the script has {} {:.6g} m3 of "
+                  "liquid.",
+                  excess > 0.0 ? "added" : "taken away", std::abs(excess)));
 }
 
 void FixLiquid::record() {
@@ -127,12 +125,9 @@ void FixLiquid::record() {
 }
 
 void FixLiquid::warn(const LiquidTotals& t, double residual) {
-  const auto tell = [&](const std::string& text) {
-    if (comm->me == 0) error->warning(FLERR, text.c_str());
-  };
   if (t.beyond_pendular > 0.0 && !warned_of_saturation_) {
     warned_of_saturation_ = true;
-    tell(fmt::format(
+    host_warning(fmt::format(
         "fix liquid: the bridges of {} of {} grains fill more than {} of the voids between them "
         "(saturation, at most {:.2g}). There bridges merge, and laws of single bridges do not "
         "hold: "
@@ -142,7 +137,7 @@ void FixLiquid::warn(const LiquidTotals& t, double residual) {
   constexpr double closed = 1e-10;
   if (std::abs(residual) > closed && !warned_of_residual_) {
     warned_of_residual_ = true;
-    tell(
+    host_warning(
         fmt::format("fix liquid: {:.3g} of all liquid is unaccounted for at step {}. This is a "
                     "fault of gasgrain: please tell its authors how it came about.",
                     residual, update->ntimestep));
@@ -152,29 +147,26 @@ void FixLiquid::warn(const LiquidTotals& t, double residual) {
 void FixLiquid::post_run() {
   contacts_.store_now();
   if (update->ntimestep != shown_at_) record();
-  const auto tell = [&](const std::string& text) {
-    if (comm->me == 0) error->warning(FLERR, text.c_str());
-  };
   if (ledger_.cut_short > told_.cut_short)
-    tell(fmt::format(
+    host_warning(fmt::format(
         "fix liquid: {} of {} broken bridges broke below their rupture distance, as the host does "
         "not show contacts that far. Add 'reach F', greater than {:.3g}.",
         ledger_.cut_short, ledger_.broken, reach_));
   if (ledger_.lost_sight > told_.lost_sight)
-    tell(fmt::format(
+    host_warning(fmt::format(
         "fix liquid: {} of {} broken bridges to walls broke below their rupture distance, as the "
         "host does not show walls that far. Add 'reach F', greater than {:.3g} (of a radius), and "
         "at "
         "primitive walls 'neighbor SKIN bin' with a skin of twice that.",
         ledger_.lost_sight, ledger_.broken, wall_reach_));
   if (ledger_.held_back > told_.held_back)
-    tell(
+    host_warning(
         fmt::format("fix liquid: viscous forces of bridges were held back in {:.6g} cases (a "
                     "bridge in a step): "
                     "the step is too long for this viscosity at this minimum_separation.",
                     ledger_.held_back));
   if (ledger_.deleted > told_.deleted)
-    tell(
+    host_warning(
         fmt::format("fix liquid: deleted grains took {:.6g} m3 of liquid along.", ledger_.deleted));
   told_ = ledger_;
 }

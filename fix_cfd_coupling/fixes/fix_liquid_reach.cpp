@@ -8,7 +8,6 @@
 #include "atom.h"
 #include "comm.h"
 #include "dialect_walls.h"
-#include "error.h"
 
 namespace LAMMPS_NS {
 
@@ -61,7 +60,7 @@ double FixLiquid::join_pairs(int history_offset) {
   reach_ = reach;
   // That of walls is known after this in a first run, and here in the next or after a restart: the
   // lists, and with them the order of sums, are then the same.
-  gasgrain::show_contacts_within(*lmp, 1.0 + std::max(reach_, wall_reach_));
+  gasgrain::show_contacts_within(*lmp, 1.0 + reach_, 1.0 + wall_reach_);
   return reach_;
 }
 
@@ -118,14 +117,13 @@ void FixLiquid::show_far_enough(double shown_within, const WallBridges& bridges)
   }
   MPI_Allreduce(MPI_IN_PLACE, longest, 2, MPI_DOUBLE, MPI_MAX, world);
   wall_reach_ = settings_.reach.value_or(std::max(longest[1], wall_reach_));
-  gasgrain::show_contacts_within(*lmp, 1.0 + wall_reach_);
-  if (longest[0] > shown_within && comm->me == 0)
-    error->warning(FLERR,
-                   fmt::format("fix liquid: bridges to the wall '{}' reach {:.3g} m, but the host "
-                               "shows a primitive wall within half of the skin only. Write "
-                               "'neighbor {:.2g} bin'.",
-                               bridges.id(), longest[0], 2.0 * longest[0])
-                       .c_str());
+  gasgrain::show_wall_within(*lmp, bridges.id(), 1.0 + wall_reach_);
+  if (longest[0] > shown_within)
+    host_warning(
+        fmt::format("fix liquid: bridges to the wall '{}' reach {:.3g} m, but the host "
+                    "shows a primitive wall within half of the skin only. Write "
+                    "'neighbor {:.2g} bin'.",
+                    bridges.id(), longest[0], 2.0 * longest[0]));
 }
 
 }  // namespace LAMMPS_NS

@@ -7,6 +7,7 @@
 #ifndef GASGRAIN_LAMMPS_PAIR_GRAN_BRIDGE_H
 #define GASGRAIN_LAMMPS_PAIR_GRAN_BRIDGE_H
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,10 @@ class PairGranBridge : public Pair, private gasgrain::contact::ContactObserver {
   void reach_at_least(double times);
   void send_to_ghosts(double* values);
   [[nodiscard]] const gasgrain::contact::StackName& models() const { return choice_.name; }
+  // Properties that stand among the words, of all types alike.
+  [[nodiscard]] const std::map<std::string, double>& properties() const {
+    return choice_.properties;
+  }
   // Where the neighbour list's pairs keep their history; null where no law has one.
   [[nodiscard]] FixNeighHistory* history_fix() const { return fix_history_; }
   [[nodiscard]] int history_width() const { return static_cast<int>(history_.size()); }

@@ -12,6 +12,7 @@
 #include "coupling/base/error.h"
 #include "fix_cfd_coupling/fixes/fix_collisional_exchange.h"
 #include "fix_cfd_coupling/fixes/fix_couple_gas.h"
+#include "fix_cfd_coupling/fixes/fix_liquid.h"
 #include "fix_cfd_coupling/fixes/fix_parcels.h"
 #include "fix_cfd_coupling/fixes/fix_parcels_inject.h"
 #include "fix_cfd_coupling/fixes/host_error.h"
@@ -61,6 +62,7 @@ struct PairEntry {
 // What a script may name.
 constexpr std::array fixes{
     FixEntry{"couple/gas", &make_fix<LAMMPS_NS::FixCoupleGas>},
+    FixEntry{"liquid", &make_fix<LAMMPS_NS::FixLiquid>},
     FixEntry{"parcels", &make_fix<LAMMPS_NS::FixParcels>},
     FixEntry{"parcels/inject", &make_fix<LAMMPS_NS::FixParcelsInject>},
     FixEntry{"collisional_exchange", &make_fix<LAMMPS_NS::FixCollisionalExchange>},

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "comm.h"
+#include "error.h"
 #include "fix.h"
 #include "modify.h"
 
@@ -61,6 +62,13 @@ class HostFix : public Fix {
 
   // This host gives grains no values when a run begins.
   void grains_have_values() {}
+  // In the host's way, by rank 0.
+  void host_warning(const std::string& text) const {
+    if (comm->me == 0) error->warning(FLERR, text);
+  }
+  void host_message(const std::string& text) const {
+    if (comm->me == 0) error->message(FLERR, text);
+  }
   // Values of a grain that go with it to another rank.
   void exchanges(int values) { maxexchange = values; }
 

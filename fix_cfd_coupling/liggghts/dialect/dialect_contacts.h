@@ -2,6 +2,7 @@
 // and as stored with the grains.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 #include "fix_cfd_coupling/liggghts/host_access.h"
@@ -57,9 +58,10 @@ class HostContacts {
   LAMMPS_NS::PairGran* pairs_ = nullptr;
 };
 
-// Lists of contacts, and walls of meshes, show what is nearer than this, over the sum of the radii.
-inline void show_contacts_within(LAMMPS_NS::LAMMPS& host, double factor) {
-  host.neighbor->register_contact_dist_factor(factor);
+// Lists of contacts show what is nearer than `factor`, over the sum of the radii. The host has one
+// distance for them and for walls of meshes.
+inline void show_contacts_within(LAMMPS_NS::LAMMPS& host, double factor, double of_walls) {
+  host.neighbor->register_contact_dist_factor(std::max(factor, of_walls));
 }
 
 }  // namespace gasgrain

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "comm.h"
+#include "error.h"
 #include "fix.h"
 #include "modify.h"
 
@@ -52,6 +53,13 @@ class HostFix : public Fix {
   // Grains that were there before the fix have their values: without this the host gives them
   // those of a new grain when the first run begins.
   void grains_have_values() { just_created = 0; }
+  // In the host's way, by rank 0.
+  void host_warning(const std::string& text) const {
+    if (comm->me == 0) error->warning(FLERR, text.c_str());
+  }
+  void host_message(const std::string& text) const {
+    if (comm->me == 0) error->message(FLERR, text.c_str());
+  }
   // Values of a grain that go with it to another rank.
   void exchanges(int) {}
 

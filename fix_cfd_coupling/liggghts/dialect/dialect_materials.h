@@ -5,6 +5,8 @@
 #include <cstring>
 #include <string>
 
+#include "fix_cfd_coupling/fixes/material.h"
+// --
 #include "atom.h"
 #include "fix_property_global.h"
 #include "force.h"
@@ -13,15 +15,14 @@
 
 namespace gasgrain {
 
-// kind: scalar, peratomtype, peratomtypepair. Read it with compute_scalar(), compute_vector(type -
-// 1), compute_array(type - 1, type - 1). Null when the script has none: the host then says so where
-// it needs it.
-inline LAMMPS_NS::Fix* find_material(LAMMPS_NS::LAMMPS& host, const char* name, const char* kind) {
+// kind: scalar, peratomtype, peratomtypepair. Without any when the script has none: the host then
+// says so where it needs it.
+inline Material find_material(LAMMPS_NS::LAMMPS& host, const char* name, const char* kind) {
   const bool pair = std::strcmp(kind, "peratomtypepair") == 0;
   const bool scalar = std::strcmp(kind, "scalar") == 0;
   const int types = host.atom->ntypes;
-  return host.modify->find_fix_property(name, "property/global", kind, scalar ? 0 : types,
-                                        pair ? types : 0, "couple/gas", false);
+  return Material(host.modify->find_fix_property(name, "property/global", kind, scalar ? 0 : types,
+                                                 pair ? types : 0, "couple/gas", false));
 }
 
 // As the pair style calls it; '' where it is none of `known`, or there are no contacts.

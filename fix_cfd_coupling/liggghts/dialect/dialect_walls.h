@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <set>
+#include <string>
 
 #include "lammps.h"
 // --
@@ -48,6 +49,12 @@ inline std::set<int> wall_types(LAMMPS_NS::LAMMPS& host) {
       types.insert(wall.mesh_list()[m]->atomTypeWall());
   }
   return types;
+}
+
+// Walls of meshes show what is nearer than this, over the grain's radius; and so do the lists of
+// contacts, as the host has one distance for both.
+inline void show_wall_within(LAMMPS_NS::LAMMPS& host, const std::string& /*id*/, double factor) {
+  host.neighbor->register_contact_dist_factor(factor);
 }
 
 }  // namespace gasgrain
