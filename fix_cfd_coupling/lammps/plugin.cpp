@@ -17,6 +17,7 @@
 #include "fix_cfd_coupling/fixes/fix_parcels_inject.h"
 #include "fix_cfd_coupling/fixes/host_error.h"
 #include "fix_cfd_coupling/fixes/host_session.h"
+#include "fix_cfd_coupling/lammps/compute_pair_gran_local.h"
 #include "fix_cfd_coupling/lammps/dump_custom_vtk.h"
 #include "fix_cfd_coupling/lammps/fix_property_global.h"
 #include "fix_cfd_coupling/lammps/fix_wall_gran_bridge.h"
@@ -41,6 +42,11 @@ void* make_fix(void* host, int narg, char** arg) {
 }
 
 template <class Style>
+void* make_compute(void* host, int narg, char** arg) {
+  return static_cast<LAMMPS_NS::Compute*>(new Style(static_cast<LAMMPS*>(host), narg, arg));
+}
+
+template <class Style>
 void* make_pair(void* host) {
   return static_cast<LAMMPS_NS::Pair*>(new Style(static_cast<LAMMPS*>(host)));
 }
@@ -50,7 +56,8 @@ LAMMPS_NS::Dump* make_dump(LAMMPS* host, int narg, char** arg) {
   return new Style(host, narg, arg);
 }
 
-struct FixEntry {
+// A fix or a compute; a pair style.
+struct StyleEntry {
   const char* name;
   lammpsplugin_factory2* make;
 };
@@ -61,14 +68,16 @@ struct PairEntry {
 
 // What a script may name.
 constexpr std::array fixes{
-    FixEntry{"couple/gas", &make_fix<LAMMPS_NS::FixCoupleGas>},
-    FixEntry{"liquid", &make_fix<LAMMPS_NS::FixLiquid>},
-    FixEntry{"parcels", &make_fix<LAMMPS_NS::FixParcels>},
-    FixEntry{"parcels/inject", &make_fix<LAMMPS_NS::FixParcelsInject>},
-    FixEntry{"collisional_exchange", &make_fix<LAMMPS_NS::FixCollisionalExchange>},
-    FixEntry{"exchange/bgk", &make_fix<LAMMPS_NS::FixCollisionalExchange>},
-    FixEntry{"property/global", &make_fix<LAMMPS_NS::FixPropertyGlobal>},
-    FixEntry{"wall/gran/bridge", &make_fix<LAMMPS_NS::FixWallGranBridge>}};
+    StyleEntry{"couple/gas", &make_fix<LAMMPS_NS::FixCoupleGas>},
+    StyleEntry{"liquid", &make_fix<LAMMPS_NS::FixLiquid>},
+    StyleEntry{"parcels", &make_fix<LAMMPS_NS::FixParcels>},
+    StyleEntry{"parcels/inject", &make_fix<LAMMPS_NS::FixParcelsInject>},
+    StyleEntry{"collisional_exchange", &make_fix<LAMMPS_NS::FixCollisionalExchange>},
+    StyleEntry{"exchange/bgk", &make_fix<LAMMPS_NS::FixCollisionalExchange>},
+    StyleEntry{"property/global", &make_fix<LAMMPS_NS::FixPropertyGlobal>},
+    StyleEntry{"wall/gran/bridge", &make_fix<LAMMPS_NS::FixWallGranBridge>}};
+constexpr std::array computes{
+    StyleEntry{"pair/gran/local", &make_compute<LAMMPS_NS::ComputePairGranLocal>}};
 constexpr std::array pairs{PairEntry{"gran/bridge", &make_pair<LAMMPS_NS::PairGranBridge>}};
 
 // The PLUGIN package knows no dumps.
@@ -82,6 +91,9 @@ void add_to_maps(lammpsplugin_t* style, void* host_pointer) {
   if (std::strcmp(style->style, "fix") == 0)
     (*host.modify->fix_map)[style->name] =
         reinterpret_cast<LAMMPS_NS::Modify::FixCreator>(style->creator.v2);
+  else if (std::strcmp(style->style, "compute") == 0)
+    (*host.modify->compute_map)[style->name] =
+        reinterpret_cast<LAMMPS_NS::Modify::ComputeCreator>(style->creator.v2);
   else
     (*host.force->pair_map)[style->name] =
         reinterpret_cast<LAMMPS_NS::Force::PairCreator>(style->creator.v1);
@@ -119,12 +131,16 @@ extern "C" void lammpsplugin_init(void* host, void* handle, void* register_funct
   entry.version = "29 Sep 2021";
   entry.author = "the authors of gasgrain";
   entry.handle = handle;
-  entry.style = "fix";
-  for (const FixEntry& fix : fixes) {
-    entry.name = entry.info = fix.name;
-    entry.creator.v2 = fix.make;
-    add(&entry, host);
-  }
+  const auto add_all = [&](const char* kind, const auto& styles) {
+    entry.style = kind;
+    for (const StyleEntry& style : styles) {
+      entry.name = entry.info = style.name;
+      entry.creator.v2 = style.make;
+      add(&entry, host);
+    }
+  };
+  add_all("fix", fixes);
+  add_all("compute", computes);
   entry.style = "pair";
   for (const PairEntry& pair : pairs) {
     entry.name = entry.info = pair.name;
