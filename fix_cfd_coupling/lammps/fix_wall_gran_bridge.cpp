@@ -125,7 +125,7 @@ void FixWallGranBridge::find_near_grains() {
   near_.clear();
   for (int k = 0; k < atom->nlocal; ++k) {
     if ((atom->mask[k] & groupbit) == 0) continue;
-    gasgrain::Vec3 delta;
+    contact::Triple delta;
     const double distance = shape_.reach(atom->x[k], delta);
     const bool in_use = width_ > 0 && rows_[k][width_ - 1] != 0.0;
     if (in_use || distance < reach_.of(atom->radius[k]) + neighbor->skin) near_.push_back(k);
@@ -137,18 +137,18 @@ void FixWallGranBridge::post_force(int) {
     find_near_grains();
     if (bodies_.exist()) bodies_.take(*lmp);
   }
-  force_.setZero();
+  force_ = {};
   const contact::WallNeighbours near{static_cast<int>(near_.size()), near_.data(), rows_};
   choice_.stack->wall(gasgrain::grains_of(*lmp, 0, bodies_), near, shape_, type_, this);
 }
 
-void FixWallGranBridge::acts(int, int, const gasgrain::Vec3& on_grain, const gasgrain::Vec3&) {
+void FixWallGranBridge::acts(int, int, const contact::Triple& on_grain, const contact::Triple&) {
   force_ -= on_grain;
 }
 
 double FixWallGranBridge::compute_vector(int n) {
   double all = 0.0;
-  MPI_Allreduce(&force_[n], &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  MPI_Allreduce(force_.data() + n, &all, 1, MPI_DOUBLE, MPI_SUM, world);
   return all;
 }
 

@@ -50,7 +50,8 @@ class FixWallGranBridge : public Fix, private gasgrain::contact::ContactObserver
   void read(std::vector<std::string> words);
   void read_shape(std::vector<std::string>& words);
   void find_near_grains();
-  void acts(int i, int j, const gasgrain::Vec3& force, const gasgrain::Vec3& delta) override;
+  void acts(int i, int j, const gasgrain::contact::Triple& force,
+            const gasgrain::contact::Triple& delta) override;
 
   gasgrain::LammpsContactHosts hosts_;
   gasgrain::contact::ContactChoice choice_;
@@ -61,7 +62,7 @@ class FixWallGranBridge : public Fix, private gasgrain::contact::ContactObserver
   double** rows_ = nullptr;  // a row for each grain
   std::vector<int> near_;    // grains that may touch before the lists are made again
   gasgrain::BodyMasses bodies_;
-  gasgrain::Vec3 force_ = gasgrain::Vec3::Zero();  // on the wall, of this rank
+  gasgrain::contact::Triple force_;  // on the wall, of this rank
 };
 
 }  // namespace LAMMPS_NS

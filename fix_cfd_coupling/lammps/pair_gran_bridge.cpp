@@ -46,21 +46,21 @@ PairGranBridge::PairGranBridge(LAMMPS* host) : Pair(host) {
   svector = new double[singles];
   comm_forward = 1;
   nondefault_history_transfer = 1;
+  // Restart files know the history by this name: the same for the only pair style of each script.
+  int number = 0;
+  do history_id_ = fmt::format("NEIGH_HISTORY_GRAN_BRIDGE{}", number++);
+  while (modify->find_fix(history_id_) >= 0 || modify->find_fix(history_id_ + "_DUMMY") >= 0);
   // Keeps the place of the history's fix in the order of fixes, until it is known what it holds.
-  modify->add_fix(history_id() + "_DUMMY all DUMMY");
+  modify->add_fix(history_id_ + "_DUMMY all DUMMY");
 }
 
 PairGranBridge::~PairGranBridge() {
   delete[] svector;
-  modify->delete_fix(history_id() + (fix_history_ == nullptr ? "_DUMMY" : ""));
+  modify->delete_fix(history_id_ + (fix_history_ == nullptr ? "_DUMMY" : ""));
   if (allocated) {
     memory->destroy(setflag);
     memory->destroy(cutsq);
   }
-}
-
-std::string PairGranBridge::history_id() const {
-  return fmt::format("NEIGH_HISTORY_GRAN_BRIDGE{}", instance_me);
 }
 
 void PairGranBridge::allocate() {
@@ -137,10 +137,10 @@ void PairGranBridge::init_style() {
 void PairGranBridge::make_history_fix() {
   if (history_width() == 0) return;
   if (fix_history_ == nullptr) {
-    modify->replace_fix(history_id() + "_DUMMY",
-                        fmt::format("{} all NEIGH_HISTORY {}", history_id(), history_width()), 1);
+    modify->replace_fix(history_id_ + "_DUMMY",
+                        fmt::format("{} all NEIGH_HISTORY {}", history_id_, history_width()), 1);
   }
-  const int at = modify->find_fix(history_id());
+  const int at = modify->find_fix(history_id_);
   if (at < 0) refuse("the fix that keeps its history was deleted.");
   fix_history_ = static_cast<FixNeighHistory*>(modify->fix[at]);
   fix_history_->pair = this;
@@ -208,9 +208,9 @@ void PairGranBridge::compute(int eflag, int vflag) {
   if (vflag_fdotr != 0) virial_fdotr_compute();
 }
 
-void PairGranBridge::acts(int i, int j, const gasgrain::Vec3& f, const gasgrain::Vec3& delta) {
-  ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, 0.0, 0.0, f[0], f[1], f[2], delta[0],
-               delta[1], delta[2]);
+void PairGranBridge::acts(int i, int j, const contact::Triple& f, const contact::Triple& delta) {
+  ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, 0.0, 0.0, f.x, f.y, f.z, delta.x, delta.y,
+               delta.z);
 }
 
 double PairGranBridge::single(int i, int j, int, int, double rsq, double, double, double& fforce) {
@@ -227,24 +227,22 @@ double PairGranBridge::single(int i, int j, int, int, double rsq, double, double
     use = fix_history_->firstflag[i][m];
     break;
   }
-  const gasgrain::Vec3 delta = contact::vec(atom->x[i]) - contact::vec(atom->x[j]);
+  const contact::Triple delta = contact::Triple::of(atom->x[i]) - contact::Triple::of(atom->x[j]);
   const double sum = atom->radius[i] + atom->radius[j];
   if (rsq >= sum * sum && use == 0 && beyond_contact == 0) return 0.0;
   contact::Push push;
   if (!choice_.stack->pair(grains, i, j, delta, row.empty() ? nullptr : &use,
                            row.empty() ? nullptr : row.data(), push))
     return 0.0;
-  const gasgrain::Vec3 normal = delta.normalized();
-  const gasgrain::Vec3 velocity = contact::vec(atom->v[i]) - contact::vec(atom->v[j]);
+  const contact::Triple normal = (1.0 / delta.norm()) * delta;
+  const contact::Triple velocity =
+      contact::Triple::of(atom->v[i]) - contact::Triple::of(atom->v[j]);
   const double along = push.force_i.dot(normal);
-  const gasgrain::Vec3 across = push.force_i - along * normal;
-  const gasgrain::Vec3 parting = velocity.dot(normal) * normal;
-  const gasgrain::Vec3 sliding = velocity - parting;
-  for (int d = 0; d < 3; ++d) {
-    svector[d] = across[d];
-    svector[4 + d] = parting[d];
-    svector[7 + d] = sliding[d];
-  }
+  const contact::Triple across = push.force_i - along * normal;
+  const contact::Triple parting = velocity.dot(normal) * normal;
+  across.store(svector);
+  parting.store(svector + 4);
+  (velocity - parting).store(svector + 7);
   svector[3] = across.norm();
   fforce = along / std::sqrt(rsq);
   return 0.0;

@@ -61,11 +61,12 @@ class PairGranBridge : public Pair, private gasgrain::contact::ContactObserver {
   void connect_laws();
   void find_largest_radii();
   void make_history_fix();
-  [[nodiscard]] std::string history_id() const;
   [[nodiscard]] gasgrain::contact::ContactRows rows() const;
-  void acts(int i, int j, const gasgrain::Vec3& force, const gasgrain::Vec3& delta) override;
+  void acts(int i, int j, const gasgrain::contact::Triple& force,
+            const gasgrain::contact::Triple& delta) override;
 
   std::vector<std::string> words_;
+  std::string history_id_;
   gasgrain::LammpsContactHosts hosts_;
   gasgrain::contact::ContactChoice choice_;
   std::vector<gasgrain::contact::HistoryValue> history_values_;

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "coupling/base/vec3.h"
+#include "fix_cfd_coupling/dem_physics/contact/triple.h"
 
 namespace gasgrain::contact {
 
@@ -55,7 +55,7 @@ struct WallNeighbours {
 // Told of each contact that acts: force on i [N], from j or the wall to i [m].
 class ContactObserver {
  public:
-  virtual void acts(int i, int j, const Vec3& force, const Vec3& delta) = 0;
+  virtual void acts(int i, int j, const Triple& force, const Triple& delta) = 0;
 
  protected:
   ~ContactObserver() = default;

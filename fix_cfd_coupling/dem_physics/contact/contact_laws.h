@@ -15,10 +15,10 @@
 
 namespace gasgrain::contact {
 
-// Forces [N] and torques [N m] that a contact adds to its two bodies.
+// Forces [N] and torques [N m] that a contact adds to its two bodies. Without cohesion force_j is
+// not written: it is -force_i.
 struct Push {
-  Vec3 force_i = Vec3::Zero(), force_j = Vec3::Zero();
-  Vec3 torque_i = Vec3::Zero(), torque_j = Vec3::Zero();
+  Triple force_i, torque_i, torque_j, force_j;
 };
 
 // The rows of a contact's history: friction's values, those of rolling, of cohesion.
@@ -32,6 +32,7 @@ class ContactLaws {
   static constexpr bool has_rolling = !std::is_same_v<Rolling, RollingOff>;
   static constexpr bool has_cohesion = !std::is_same_v<Cohesion, CohesionOff>;
   static constexpr bool levers_are_radii = Tangential::levers_are_radii;
+  static constexpr bool remembers_touch = Tangential::remembers;
 
   Normal normal;
   Tangential tangential;
@@ -41,27 +42,32 @@ class ContactLaws {
 
   // Bodies in touch; `view` is complete but for what the normal law says. `velocity` of i from j.
   // `row` may be null where no law has a history.
-  void touching(Touch& touch, const Vec3& velocity, ContactView& view, double* row, Push& push) {
+  [[gnu::always_inline]] inline void touching(Touch& touch, const Triple& velocity,
+                                              ContactView& view, double* row, Push& push) {
     find_motion<levers_are_radii>(touch, velocity);
     normal.touching(touch);
-    const Vec3 along = touch.normal_force * touch.normal;
-    push.force_i += along;
-    push.force_j -= along;
-    const ContactForces forces{push.force_i.data(), push.torque_i.data(), push.force_j.data(),
-                               push.torque_j.data()};
+    const Triple along = touch.normal_force * touch.normal;
+    [[maybe_unused]] const ContactForces forces = forces_of(push);
     if constexpr (has_cohesion) {
       show(touch, view, row);
       cohesion.touching(view, forces);
       touch.normal_force = view.Fn;
     }
-    const Vec3 friction = tangential.touching(touch, row);
-    const Vec3 twist = cross(friction, touch.normal);
-    push.force_i += friction;
-    push.force_j -= friction;
-    push.torque_i += touch.lever_i * twist;
-    push.torque_j += touch.lever_j * twist;
+    const Triple friction = tangential.touching(touch, row);
+    const Triple twist = cross(friction, touch.normal);
+    const Triple force = along + friction;
+    if constexpr (has_cohesion) {
+      push.force_i += force;
+      push.force_j -= force;
+      push.torque_i += touch.lever_i * twist;
+      push.torque_j += touch.lever_j * twist;
+    } else {  // nothing was there before
+      push.force_i = force;
+      push.torque_i = touch.lever_i * twist;
+      push.torque_j = touch.lever_j * twist;
+    }
     if constexpr (std::is_base_of_v<RollingResistance, Rolling>) {
-      const Vec3 torque = rolling.torque(touch, row + places.rolling);
+      const Triple torque = rolling.torque(touch, row + places.rolling);
       push.torque_i += torque;
       push.torque_j -= torque;
     } else if constexpr (has_rolling) {
@@ -80,8 +86,7 @@ class ContactLaws {
     if constexpr (has_cohesion) {
       view.history = row == nullptr ? nullptr : row + places.cohesion;
       view.acts = false;
-      cohesion.apart(view, ContactForces{push.force_i.data(), push.torque_i.data(),
-                                         push.force_j.data(), push.torque_j.data()});
+      cohesion.apart(view, forces_of(push));
       return view.acts;
     } else {
       return false;
@@ -94,6 +99,9 @@ class ContactLaws {
   }
 
  private:
+  static ContactForces forces_of(Push& push) {
+    return {push.force_i.data(), push.torque_i.data(), push.force_j.data(), push.torque_j.data()};
+  }
   void show(const Touch& touch, ContactView& view, double* row) const {
     view.history = row == nullptr ? nullptr : row + places.cohesion;
     view.en = touch.normal.data();

@@ -23,8 +23,9 @@ class ContactLoop {
   Laws laws;
   Reach reach;
 
-  void pairs(const Grains& grains, const NeighbourList& list, const ContactRows& rows,
+  void pairs(const Grains& of_host, const NeighbourList& list, const ContactRows& rows,
              ContactObserver* observer) {
+    const Grains grains = of_host;  // for the compiler: nothing that is written changes it
     const int width = rows.width;
     for (int n = 0; n < list.count; ++n) {
       const int i = list.grains[n];
@@ -32,40 +33,40 @@ class ContactLoop {
       const int count = list.neighbours[i];
       int* in_use = rows.in_use != nullptr ? rows.in_use[i] : nullptr;
       double* row = rows.values != nullptr ? rows.values[i] : nullptr;
-      const Vec3 at(grains.x[i][0], grains.x[i][1], grains.x[i][2]);
+      const Triple at = Triple::of(grains.x[i]);
       const double radius = grains.radius[i];
-      Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
+      Triple force, torque;
       for (int m = 0; m < count; ++m) {
         const int j = neighbours[m] & list.index;
-        const Vec3 delta(at[0] - grains.x[j][0], at[1] - grains.x[j][1], at[2] - grains.x[j][2]);
-        const double square = delta.squaredNorm();
+        const Triple delta = at - Triple::of(grains.x[j]);
+        const double square = delta.dot(delta);
         const double sum = radius + grains.radius[j];
-        int* use = in_use != nullptr ? in_use + m : nullptr;
+        int* use = Laws::remembers_touch || in_use != nullptr ? in_use + m : nullptr;
         if (square >= sum * sum && !shows(square, sum, use)) continue;
         Push push;
-        if (!pair(grains, i, j, delta, square, use, row != nullptr ? row + m * width : nullptr,
-                  push))
+        if (!pair(grains, i, j, delta, square, use,
+                  Laws::remembers_touch || row != nullptr ? row + m * width : nullptr, push))
           continue;
         force += push.force_i;
         torque += push.torque_i;
-        if (grains.ghosts_take_forces || j < grains.owned)
-          for (int d = 0; d < 3; ++d) {
-            grains.force[j][d] += push.force_j[d];
-            grains.torque[j][d] += push.torque_j[d];
-          }
-        if (observer != nullptr) observer->acts(i, j, push.force_i, delta);
+        if (grains.ghosts_take_forces || j < grains.owned) {
+          if constexpr (Laws::has_cohesion)
+            push.force_j.add_to(grains.force[j]);
+          else
+            (-push.force_i).add_to(grains.force[j]);
+          push.torque_j.add_to(grains.torque[j]);
+        }
+        if (observer != nullptr) tell(*observer, i, j, push.force_i, delta);
       }
-      for (int d = 0; d < 3; ++d) {
-        grains.force[i][d] += force[d];
-        grains.torque[i][d] += torque[d];
-      }
+      force.add_to(grains.force[i]);
+      torque.add_to(grains.torque[i]);
     }
   }
 
   // What a contact does to its grains; false: nothing. `use` and `row` may be null where no law has
   // a history.
-  bool pair(const Grains& grains, int i, int j, const Vec3& delta, double square, int* use,
-            double* row, Push& push) {
+  [[gnu::always_inline]] inline bool pair(const Grains& grains, int i, int j, const Triple& delta,
+                                          double square, int* use, double* row, Push& push) {
     const double radius_i = grains.radius[i], radius_j = grains.radius[j];
     const double sum = radius_i + radius_j;
     ContactView view;
@@ -96,7 +97,7 @@ class ContactLoop {
     }
     Touch touch;
     touch.distance = std::sqrt(square);
-    touch.normal = delta * (1.0 / touch.distance);
+    touch.normal = (1.0 / touch.distance) * delta;
     touch.overlap = sum - touch.distance;
     touch.radius_i = radius_i;
     touch.radius_j = radius_j;
@@ -104,14 +105,13 @@ class ContactLoop {
     touch.mass_i = grains.inertia(i);
     touch.mass_j = grains.inertia(j);
     touch.reduced_mass = reduced_mass(grains, i, j, touch);
-    touch.spin_i = vec(grains.spin[i]);
-    touch.spin_j = vec(grains.spin[j]);
-    touch.type_i = grains.type[i];
-    touch.type_j = grains.type[j];
+    touch.spin_i = Triple::of(grains.spin[i]);
+    touch.spin_j = Triple::of(grains.spin[j]);
+    touch.types = laws.tangential.place(grains.type[i], grains.type[j]);
     touch.updates = grains.updates;
     touch.step = grains.dt;
-    if (use != nullptr) *use = 1;
-    laws.touching(touch, vec(grains.v[i]) - vec(grains.v[j]), view, row, push);
+    if (Laws::remembers_touch || use != nullptr) *use = 1;
+    laws.touching(touch, Triple::of(grains.v[i]) - Triple::of(grains.v[j]), view, row, push);
     return true;
   }
 
@@ -119,21 +119,25 @@ class ContactLoop {
             ContactObserver* observer) {
     for (int n = 0; n < near.count; ++n) {
       const int i = near.grains[n];
-      Vec3 delta;
+      Triple delta;
       const double distance = shape.reach(grains.x[i], delta);
       double* row = near.rows != nullptr ? near.rows[i] : nullptr;
       double* use = row != nullptr ? row + laws.places.width : nullptr;
       Push push;
       if (!at_wall(grains, i, shape, type, delta, distance, use, row, push)) continue;
-      for (int d = 0; d < 3; ++d) {
-        grains.force[i][d] += push.force_i[d];
-        grains.torque[i][d] += push.torque_i[d];
-      }
+      push.force_i.add_to(grains.force[i]);
+      push.torque_i.add_to(grains.torque[i]);
       if (observer != nullptr) observer->acts(i, -1, push.force_i, delta);
     }
   }
 
  private:
+  // By value: what an unknown function could see would have to be kept in memory.
+  [[gnu::noinline]] static void tell(ContactObserver& observer, int i, int j, Triple force,
+                                     Triple delta) {
+    observer.acts(i, j, force, delta);
+  }
+
   static constexpr bool shows_views = Laws::has_cohesion || Laws::has_rolling;
 
   // A pair that is apart but concerns somebody: cohesion reaches it, or it has touched.
@@ -162,8 +166,8 @@ class ContactLoop {
     return touch.mass_i * touch.mass_j / (touch.mass_i + touch.mass_j);
   }
 
-  bool at_wall(const Grains& grains, int i, const PrimitiveWall& shape, int type, const Vec3& delta,
-               double distance, double* use, double* row, Push& push) {
+  bool at_wall(const Grains& grains, int i, const PrimitiveWall& shape, int type,
+               const Triple& delta, double distance, double* use, double* row, Push& push) {
     const double radius = grains.radius[i];
     const bool apart = distance > radius;
     const bool was_used = use != nullptr && *use != 0.0;
@@ -197,7 +201,7 @@ class ContactLoop {
     Touch touch;
     touch.is_wall = true;
     touch.distance = distance;
-    touch.normal = delta * (1.0 / distance);
+    touch.normal = (1.0 / distance) * delta;
     touch.overlap = radius - distance;
     touch.radius_i = radius;
     touch.radius_j = 0.0;
@@ -205,14 +209,13 @@ class ContactLoop {
     if constexpr (Laws::levers_are_radii)
       if (shape.round) touch.reduced_radius = shape.reduced_radius(grains.x[i], radius);
     touch.mass_i = touch.mass_j = touch.reduced_mass = grains.inertia(i);
-    touch.spin_i = vec(grains.spin[i]);
-    touch.spin_j.setZero();
-    touch.type_i = grains.type[i];
-    touch.type_j = type;
+    touch.spin_i = Triple::of(grains.spin[i]);
+    touch.types = laws.tangential.place(grains.type[i], type);
     touch.updates = grains.updates;
     touch.step = grains.dt;
     if (use != nullptr) *use = 1.0;
-    laws.touching(touch, vec(grains.v[i]) - vec(shape.velocity.data()), view, row, push);
+    laws.touching(touch, Triple::of(grains.v[i]) - Triple::of(shape.velocity.data()), view, row,
+                  push);
     return true;
   }
 };

@@ -40,7 +40,7 @@ class ContactStack {
   virtual void wall(const Grains& grains, const WallNeighbours& near, const PrimitiveWall& shape,
                     int type, ContactObserver* observer) = 0;
   // One pair alone; false: nothing acts.
-  virtual bool pair(const Grains& grains, int i, int j, const Vec3& delta, int* use, double* row,
+  virtual bool pair(const Grains& grains, int i, int j, const Triple& delta, int* use, double* row,
                     Push& push) = 0;
 };
 
@@ -92,9 +92,9 @@ class CompiledStack final : public ContactStack {
             ContactObserver* observer) override {
     loop_.wall(grains, near, shape, type, observer);
   }
-  bool pair(const Grains& grains, int i, int j, const Vec3& delta, int* use, double* row,
+  bool pair(const Grains& grains, int i, int j, const Triple& delta, int* use, double* row,
             Push& push) override {
-    return loop_.pair(grains, i, j, delta, delta.squaredNorm(), use, row, push);
+    return loop_.pair(grains, i, j, delta, delta.dot(delta), use, row, push);
   }
 
  private:

@@ -14,13 +14,16 @@
 
 namespace gasgrain::contact {
 
-class ContactStacks {
+// Visible to laws that are built elsewhere.
+class [[gnu::visibility("default")]] ContactStacks {
  public:
   using Maker = std::unique_ptr<ContactStack> (*)(bool of_wall);
 
   static ContactStacks& known();  // those of the LISTs, and what was added
 
-  void add(const StackName& name, Maker maker) { makers_[name] = maker; }
+  void add(const StackName& name, Maker maker) {
+    makers_[name] = maker;
+  }
   // Throws Error, with the nearest name or what is compiled with this cohesion.
   [[nodiscard]] std::unique_ptr<ContactStack> make(const StackName& name, bool of_wall) const;
 

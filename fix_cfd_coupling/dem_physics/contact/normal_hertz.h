@@ -47,8 +47,8 @@ class NormalHertz {
     });
   }
 
-  void touching(Touch& touch) const {
-    const Pair& pair = pairs_(touch.type_i, touch.type_j);
+  [[gnu::always_inline]] inline void touching(Touch& touch) const {
+    const Pair& pair = pairs_[touch.types];
     const double patch = std::sqrt(touch.reduced_radius * touch.overlap);  // radius of contact
     touch.normal_stiffness = pair.stiffness * patch;
     touch.tangential_stiffness = pair.shear_stiffness * patch;

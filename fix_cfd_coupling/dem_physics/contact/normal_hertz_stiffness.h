@@ -49,8 +49,8 @@ class NormalHertzStiffness {
                              {"gammat", "1/(m s)"}, tangential_damping_);
   }
 
-  void touching(Touch& touch) const {
-    const StiffnessPair& pair = pairs_(touch.type_i, touch.type_j);
+  [[gnu::always_inline]] inline void touching(Touch& touch) const {
+    const StiffnessPair& pair = pairs_[touch.types];
     const double patch = std::sqrt(touch.reduced_radius * touch.overlap);
     const double mass = patch * touch.reduced_mass;
     touch.normal_stiffness = patch * pair.normal;

@@ -56,8 +56,8 @@ class NormalHooke {
       }
   }
 
-  void touching(Touch& touch) {
-    const Pair& pair = pairs_(touch.type_i, touch.type_j);
+  [[gnu::always_inline]] inline void touching(Touch& touch) {
+    const Pair& pair = pairs_[touch.types];
     touch.normal_stiffness = stiffness(touch, pair.modulus);
     touch.tangential_stiffness = touch.normal_stiffness * (softer_shear_ ? 0.285714286 : 1.0);
     double log_e = pair.log_restitution;

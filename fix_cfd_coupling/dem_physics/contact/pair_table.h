@@ -16,10 +16,13 @@ class PairTable {
   const Value& operator()(int i, int j) const { return values_[at(i, j)]; }
   [[nodiscard]] int types() const { return types_; }
 
- private:
+  // The place of a pair, the same in all tables of a scene.
+  const Value& operator[](std::size_t place) const { return values_[place]; }
   [[nodiscard]] std::size_t at(int i, int j) const {
     return static_cast<std::size_t>(i * (types_ + 1) + j);
   }
+
+ private:
   int types_ = 0;
   std::vector<Value> values_;
 };

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-#include "coupling/base/vec3.h"
+#include "fix_cfd_coupling/dem_physics/contact/triple.h"
 
 namespace gasgrain::contact {
 
@@ -24,8 +24,9 @@ struct PrimitiveWall {
   std::array<double, 3> velocity{};  // [m/s] of its surface
 
   // d [m]; its length is returned.
-  double reach(const double* x, Vec3& d) const {
-    d.setZero();
+  double reach(const double* x, Triple& to_grain) const {
+    double* d = to_grain.data();
+    d[0] = d[1] = d[2] = 0.0;
     if (!round) {
       d[axis] = x[axis] - place;
       return std::abs(d[axis]);

@@ -18,13 +18,13 @@ class RollingCdt : public RollingResistance {
  public:
   static constexpr const char* name = "cdt";
 
-  Vec3 torque(const Touch& touch, double* /*stored*/) const {
-    const Vec3 turning = turning_of(touch);
+  [[gnu::always_inline]] inline Triple torque(const Touch& touch, double* /*stored*/) const {
+    const Triple turning = turning_of(touch);
     const double rate = turning.norm();
-    if (!(rate > 0.0)) return Vec3::Zero();
+    if (!(rate > 0.0)) return Triple{};
     const double size =
         friction(touch) * touch.normal_stiffness * touch.overlap * touch.reduced_radius / rate;
-    const Vec3 torque = -size * turning;
+    const Triple torque = -size * turning;
     return torsion_ ? torque : across(torque, touch.normal);
   }
 };

@@ -20,9 +20,9 @@
 namespace gasgrain::contact {
 
 // The spring's torque after this step, at most `limit` [N m]; true where it is below.
-inline bool wind_up(const Touch& touch, double stiffness, const Vec3& turning, double limit,
-                    const double* stored, Vec3& torque) {
-  torque = Vec3(stored[0], stored[1], stored[2]) + touch.step * stiffness * turning;
+inline bool wind_up(const Touch& touch, double stiffness, const Triple& turning, double limit,
+                    const double* stored, Triple& torque) {
+  torque = Triple::of(stored) + touch.step * stiffness * turning;
   const double size = torque.norm();
   if (!(size > limit)) return true;
   torque *= limit / size;
@@ -39,18 +39,16 @@ class RollingEpsd : public RollingResistance {
     damping_ = pairs_in(host, properties::rolling_damping);
   }
 
-  Vec3 torque(const Touch& touch, double* stored) const {
+  [[gnu::always_inline]] inline Triple torque(const Touch& touch, double* stored) const {
     const double lever = friction(touch) * touch.reduced_radius;
     const double stiffness = 2.25 * touch.normal_stiffness * lever * lever;
-    const Vec3 turning = rolling(touch);
-    Vec3 torque;
+    const Triple turning = rolling(touch);
+    Triple torque;
     const bool holds =
         wind_up(touch, stiffness, turning, lever * std::abs(touch.normal_force), stored, torque);
-    if (touch.updates)
-      for (int d = 0; d < 3; ++d) stored[d] = torque[d];
+    if (touch.updates) torque.store(stored);
     if (holds)
-      torque += damping_(touch.type_i, touch.type_j) * 2.0 * std::sqrt(inertia(touch) * stiffness) *
-                turning;
+      torque += damping_[touch.types] * 2.0 * std::sqrt(inertia(touch) * stiffness) * turning;
     return -torque;
   }
 

@@ -20,14 +20,13 @@ class RollingEpsd2 : public RollingResistance {
   static constexpr const char* name = "epsd2";
   static std::vector<HistoryValue> history(bool /*of_wall*/) { return torque_history(); }
 
-  Vec3 torque(const Touch& touch, double* stored) const {
+  [[gnu::always_inline]] inline Triple torque(const Touch& touch, double* stored) const {
     const double radius = touch.reduced_radius;
-    const Vec3 turning = rolling(touch);
-    Vec3 torque;
+    const Triple turning = rolling(touch);
+    Triple torque;
     wind_up(touch, touch.tangential_stiffness * radius * radius, turning,
             friction(touch) * radius * std::abs(touch.normal_force), stored, torque);
-    if (touch.updates)
-      for (int d = 0; d < 3; ++d) stored[d] = torque[d];
+    if (touch.updates) torque.store(stored);
     return -torque;
   }
 };

@@ -9,12 +9,12 @@
 
 namespace gasgrain::contact {
 
-inline Vec3 turning_of(const Touch& touch) {
+inline Triple turning_of(const Touch& touch) {
   if (touch.is_wall) return touch.lever_i / touch.distance * touch.spin_i;
   return touch.spin_i - touch.spin_j;
 }
 
-inline Vec3 across(const Vec3& vector, const Vec3& normal) {
+inline Triple across(const Triple& vector, const Triple& normal) {
   return vector - vector.dot(normal) * normal;
 }
 
@@ -24,11 +24,9 @@ class RollingResistance : public RollingLaw {
   void connect(ContactHost& host) { friction_ = pairs_in(host, properties::rolling_friction); }
 
  protected:
-  [[nodiscard]] double friction(const Touch& touch) const {
-    return friction_(touch.type_i, touch.type_j);
-  }
-  [[nodiscard]] Vec3 rolling(const Touch& touch) const {
-    const Vec3 turning = turning_of(touch);
+  [[nodiscard]] double friction(const Touch& touch) const { return friction_[touch.types]; }
+  [[nodiscard]] Triple rolling(const Touch& touch) const {
+    const Triple turning = turning_of(touch);
     return torsion_ ? turning : across(turning, touch.normal);
   }
   bool torsion_ = false;

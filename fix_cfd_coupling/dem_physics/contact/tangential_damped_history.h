@@ -19,20 +19,21 @@ namespace gasgrain::contact {
 class TangentialDampedHistory : public TangentialLaw {
  public:
   static constexpr const char* name = "damped_history";
+  static constexpr bool remembers = true;
   static std::vector<HistoryValue> history() { return shear_history(); }
   static constexpr bool levers_are_radii = true;
 
-  Vec3 touching(const Touch& touch, double* stored) const {
-    Vec3 slip = follow_slip(touch, stored);
-    const Vec3 dashpot = touch.tangential_damping * touch.slip;
-    Vec3 force = -touch.tangential_stiffness * slip - dashpot;
+  [[gnu::always_inline]] inline Triple touching(const Touch& touch, double* stored) const {
+    Triple slip = follow_slip(touch, stored);
+    const Triple dashpot = touch.tangential_damping * touch.slip;
+    Triple force = -touch.tangential_stiffness * slip - dashpot;
     const double size = force.norm();
     const double most = limit(touch);
     store_slip(touch, slip, stored);
     if (!(size > most)) return force;
-    if (slip.isZero(0.0)) return Vec3::Zero();
+    if (slip.is_zero()) return Triple{};
     force *= most / size;
-    for (int d = 0; d < 3; ++d) stored[d] = (-force[d] - dashpot[d]) / touch.tangential_stiffness;
+    ((1.0 / touch.tangential_stiffness) * (-force - dashpot)).store(stored);
     return force;
   }
 };

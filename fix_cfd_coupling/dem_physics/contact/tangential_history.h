@@ -19,8 +19,8 @@
 namespace gasgrain::contact {
 
 // The slip of a contact over this step, in the plane in which the spheres touch now.
-inline Vec3 follow_slip(const Touch& touch, const double* stored) {
-  Vec3 slip(stored[0], stored[1], stored[2]);
+inline Triple follow_slip(const Touch& touch, const double* stored) {
+  Triple slip = Triple::of(stored);
   if (!touch.updates) return slip;
   slip += touch.step * touch.slip;
   return slip - slip.dot(touch.normal) * touch.normal;
@@ -30,21 +30,22 @@ inline std::vector<HistoryValue> shear_history() {
   return {{"shearx", true}, {"sheary", true}, {"shearz", true}};
 }
 
-inline void store_slip(const Touch& touch, const Vec3& slip, double* stored) {
+inline void store_slip(const Touch& touch, const Triple& slip, double* stored) {
   if (!touch.updates) return;
-  for (int d = 0; d < 3; ++d) stored[d] = slip[d];
+  slip.store(stored);
 }
 
 class TangentialHistory : public TangentialLaw {
  public:
   static constexpr const char* name = "history";
+  static constexpr bool remembers = true;
   static std::vector<HistoryValue> history() { return shear_history(); }
 
-  Vec3 touching(const Touch& touch, double* stored) const {
-    Vec3 slip = follow_slip(touch, stored);
+  [[gnu::always_inline]] inline Triple touching(const Touch& touch, double* stored) const {
+    Triple slip = follow_slip(touch, stored);
     const double elastic = touch.tangential_stiffness * slip.norm();
     const double most = limit(touch);
-    Vec3 force = -touch.tangential_stiffness * slip;
+    Triple force = -touch.tangential_stiffness * slip;
     if (elastic > most) {
       const double share = most / elastic;
       force *= share;

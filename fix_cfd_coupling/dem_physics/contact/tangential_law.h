@@ -13,15 +13,21 @@ namespace gasgrain::contact {
 class TangentialLaw {
  public:
   static std::vector<HistoryValue> history() { return {}; }
+  static constexpr bool remembers = false;  // whether it has a history
   // Lever arms and walls as LAMMPS's own granular styles have them (touch.h).
   static constexpr bool levers_are_radii = false;
 
   void words(LawWords&) {}
   void connect(ContactHost& host) { friction_ = pairs_in(host, properties::friction); }
 
+  // The place of a pair of types in this scene's tables.
+  [[nodiscard]] std::size_t place(int type_i, int type_j) const {
+    return friction_.at(type_i, type_j);
+  }
+
  protected:
   [[nodiscard]] double limit(const Touch& touch) const {
-    return friction_(touch.type_i, touch.type_j) * std::abs(touch.normal_force);
+    return friction_[touch.types] * std::abs(touch.normal_force);
   }
 
  private:

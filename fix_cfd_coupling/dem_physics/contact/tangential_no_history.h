@@ -15,7 +15,7 @@ class TangentialNoHistory : public TangentialLaw {
  public:
   static constexpr const char* name = "no_history";
 
-  Vec3 touching(const Touch& touch, double* /*stored*/) const {
+  [[gnu::always_inline]] inline Triple touching(const Touch& touch, double* /*stored*/) const {
     const double speed = touch.slip.norm();
     const double most = limit(touch);
     const bool slides = most < touch.tangential_damping * speed;

@@ -14,25 +14,22 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 
-#include "coupling/base/vec3.h"
+#include "fix_cfd_coupling/dem_physics/contact/triple.h"
 
 namespace gasgrain::contact {
 
-inline Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 struct Touch {
-  Vec3 normal;  // from j, or the wall, to i
+  Triple normal;  // from j, or the wall, to i
   double distance = 0.0, overlap = 0.0;
   double radius_i = 0.0, radius_j = 0.0, reduced_radius = 0.0;
   double mass_i = 0.0, mass_j = 0.0, reduced_mass = 0.0;
   double lever_i = 0.0, lever_j = 0.0;
-  Vec3 spin_i, spin_j;
-  double parting = 0.0;        // v_n
-  Vec3 slip;                   // v_t
-  int type_i = 0, type_j = 0;  // from 1
+  Triple spin_i, spin_j;
+  double parting = 0.0;   // v_n
+  Triple slip;            // v_t
+  std::size_t types = 0;  // the place of the pair of types in a PairTable
   bool is_wall = false;
   bool updates = false;  // the history may change
   double step = 0.0;     // [s]
@@ -45,12 +42,12 @@ struct Touch {
 
 // Fills what follows from distance, radii, masses, spins and the velocity of i relative to j.
 template <bool levers_are_radii>
-inline void find_motion(Touch& touch, const Vec3& velocity) {
+[[gnu::always_inline]] inline void find_motion(Touch& touch, const Triple& velocity) {
   const double half = levers_are_radii ? 0.0 : 0.5 * touch.overlap;
   touch.lever_i = touch.radius_i - half;
   touch.lever_j = touch.is_wall ? 0.0 : touch.radius_j - half;
   touch.parting = velocity.dot(touch.normal);
-  Vec3 turning = touch.lever_i * touch.spin_i;
+  Triple turning = touch.lever_i * touch.spin_i;
   if (!touch.is_wall) turning += touch.lever_j * touch.spin_j;
   touch.slip = velocity - touch.parting * touch.normal - cross(turning, touch.normal);
 }
