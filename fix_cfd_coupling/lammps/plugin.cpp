@@ -22,6 +22,7 @@
 #include "fix_cfd_coupling/lammps/fix_property_global.h"
 #include "fix_cfd_coupling/lammps/fix_wall_gran_bridge.h"
 #include "fix_cfd_coupling/lammps/pair_gran_bridge.h"
+#include "fix_cfd_coupling/lammps/plugin_command.h"
 #include "fix_cfd_coupling/lammps/plugin_session.h"
 // --
 #include "lammps.h"
@@ -148,6 +149,7 @@ extern "C" void lammpsplugin_init(void* host, void* handle, void* register_funct
     add(&entry, host);
   }
   add_dumps(*static_cast<LAMMPS*>(host));
+  gasgrain::add_plugin_command(*static_cast<LAMMPS*>(host));
 }
 
 extern "C" void gasgrain_load(void* host) {

@@ -9,6 +9,7 @@
 #include "fix_cfd_coupling/dem_physics/contact/cohesion_law.h"
 #include "fix_cfd_coupling/dem_physics/contact/rolling_law.h"
 #include "fix_cfd_coupling/liggghts/contact_host_liggghts.h"
+#include "fix_cfd_coupling/liggghts/contact_styles_words.h"
 // The host's headers lean on each other's order.
 #include "fix_insert_stream.h"
 // --
@@ -31,9 +32,11 @@ class WordsOfSettings final : public contact::LawWords {
  public:
   explicit WordsOfSettings(HostSettings& settings) : settings_(settings) {}
   void number(const char* word, double& value, double otherwise) override {
+    know_contact_word(word);
     settings_.registerDoubleSetting(word, value, otherwise);
   }
   void on_off(const char* word, bool& value, bool otherwise) override {
+    know_contact_word(word);
     settings_.registerOnOff(word, value, otherwise);
   }
 

@@ -12,6 +12,7 @@
 
 #include "fix_cfd_coupling/fixes/host_error.h"
 #include "fix_cfd_coupling/liggghts/contact_styles_ids.h"
+#include "fix_cfd_coupling/liggghts/contact_styles_outer.h"
 
 namespace gasgrain {
 
@@ -28,7 +29,7 @@ struct ContactIds {
 
   // Whether the cohesion or the rolling model is one of ours.
   [[nodiscard]] bool hold_ours() const {
-    bool ours = false;
+    bool ours = outer_cohesion_laws().count(cohesion) + outer_rolling_laws().count(rolling) > 0;
 #define COHESION_LAW(Law, name, id) ours = ours || cohesion == id;
 #include "fix_cfd_coupling/dem_physics/contact/cohesion_laws.h"
 #undef COHESION_LAW
@@ -167,6 +168,9 @@ class RuntimeContactModel : public contact_models::ContactModelBase {
     refuse("normal", ids_.normal);
   }
   Model<contact_models::CohesionModelBase> cohesion_model(Host* host, History* history) {
+    const auto outer = outer_cohesion_laws().find(ids_.cohesion);
+    if (outer != outer_cohesion_laws().end())
+      return outer->second.make(host, history, this, outer->second.name.c_str());
 #define COHESION_LAW(Law, name, id) \
   if (ids_.cohesion == id)          \
     return std::make_shared<contact_models::CohesionModel<id>>(host, history, this);
@@ -194,6 +198,9 @@ class RuntimeContactModel : public contact_models::ContactModelBase {
     refuse("tangential", ids_.tangential);
   }
   Model<contact_models::RollingModelBase> rolling_model(Host* host, History* history) {
+    const auto outer = outer_rolling_laws().find(ids_.rolling);
+    if (outer != outer_rolling_laws().end())
+      return outer->second.make(host, history, this, outer->second.name.c_str());
 #define ROLLING_LAW(Law, name, id) \
   if (ids_.rolling == id)          \
     return std::make_shared<contact_models::RollingModel<id>>(host, history, this);

@@ -10,12 +10,14 @@
 #include "coupling/base/error.h"
 #include "fix_cfd_coupling/fixes/host_session.h"
 #include "fix_cfd_coupling/fixes/script_line.h"
+#include "fix_cfd_coupling/liggghts/contact_styles_words.h"
 #include "fix_cfd_coupling/liggghts/host_access.h"
 #include "fix_cfd_coupling/liggghts/mpi_redirect.h"
 // --
 #include "compute.h"
 #include "error.h"
 #include "force.h"
+#include "input.h"
 
 namespace gasgrain {
 namespace {
@@ -48,22 +50,30 @@ const std::vector<std::string> built_in_commands{
 // ' Did you mean ...?' for the host's messages about unknown styles and commands.
 std::string hint(const std::string& message) {
   if (the_host == nullptr) return "";
-  const auto quoted = [&] {
-    const auto from = message.find('"');
-    const auto to = message.find('"', from + 1);
+  const auto quoted = [&](char quote) {
+    const auto from = message.find(quote);
+    const auto to = message.find(quote, from + 1);
     return from == std::string::npos || to == std::string::npos
                ? std::string()
                : message.substr(from + 1, to - from - 1);
   };
+  if (message.find("Invalid model specified") != std::string::npos) {
+    const LAMMPS_NS::Input& line = *the_host->input;
+    return misspelt_model({line.arg, line.arg + line.narg});
+  }
   std::string word;
   std::vector<std::string> known;
   if (message.find("fix style") != std::string::npos) {
-    word = quoted();
+    word = quoted('"');
     known = names_of(fix_map(*the_host));
   } else if (message.find("Unknown command: ") == 0) {
     word = message.substr(17, message.find(' ', 17) - 17);
     known = names_of(command_map(*the_host));
     known.insert(known.end(), built_in_commands.begin(), built_in_commands.end());
+  } else if (message.find("Unknown argument or wrong keyword order: '") != std::string::npos) {
+    // of pair_style gran and fix wall/gran
+    word = quoted('\'');
+    known = contact_words();
   } else {
     return "";
   }

@@ -13,6 +13,7 @@
 #include "fix_cfd_coupling/fixes/host_error.h"
 #include "fix_cfd_coupling/liggghts/contact_styles.h"
 #include "fix_cfd_coupling/liggghts/host_access.h"
+#include "fix_cfd_coupling/liggghts/plugin_command.h"
 
 namespace {
 
@@ -30,6 +31,7 @@ void register_styles(LAMMPS_NS::LAMMPS& host) {
   // The second name is that of its model (Bhatnagar, Gross and Krook).
   for (const char* name : {"collisional_exchange", "exchange/bgk"})
     gasgrain::fix_map(host)[name] = &make_fix<LAMMPS_NS::FixCollisionalExchange>;
+  gasgrain::command_map(host)["plugin"] = &gasgrain::plugin_command;
 }
 
 }  // namespace
