@@ -4,10 +4,10 @@
 #include <cstring>
 
 #include "coupling/base/error.h"
+#include "fix_cfd_coupling/lammps/fix_gran_bridge_history.h"
 #include "fix_cfd_coupling/lammps/pair_gran_bridge.h"
 // --
 #include "atom.h"
-#include "fix_neigh_history.h"
 #include "force.h"
 #include "neigh_list.h"
 #include "update.h"

@@ -5,12 +5,12 @@
 
 #include "coupling/base/error.h"
 #include "fix_cfd_coupling/fixes/host_error.h"
+#include "fix_cfd_coupling/lammps/fix_gran_bridge_history.h"
 // --
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "fix_neigh_history.h"
 #include "force.h"
 #include "memory.h"
 #include "modify.h"
@@ -137,12 +137,13 @@ void PairGranBridge::init_style() {
 void PairGranBridge::make_history_fix() {
   if (history_width() == 0) return;
   if (fix_history_ == nullptr) {
-    modify->replace_fix(history_id_ + "_DUMMY",
-                        fmt::format("{} all NEIGH_HISTORY {}", history_id_, history_width()), 1);
+    modify->replace_fix(
+        history_id_ + "_DUMMY",
+        fmt::format("{} all NEIGH_HISTORY/gran/bridge {}", history_id_, history_width()), 1);
   }
   const int at = modify->find_fix(history_id_);
   if (at < 0) refuse("the fix that keeps its history was deleted.");
-  fix_history_ = static_cast<FixNeighHistory*>(modify->fix[at]);
+  fix_history_ = static_cast<FixGranBridgeHistory*>(modify->fix[at]);
   fix_history_->pair = this;
 }
 

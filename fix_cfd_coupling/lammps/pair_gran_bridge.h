@@ -18,7 +18,7 @@
 
 namespace LAMMPS_NS {
 
-class FixNeighHistory;
+class FixGranBridgeHistory;
 
 class PairGranBridge : public Pair, private gasgrain::contact::ContactObserver {
  public:
@@ -52,7 +52,7 @@ class PairGranBridge : public Pair, private gasgrain::contact::ContactObserver {
     return choice_.properties;
   }
   // Where the neighbour list's pairs keep their history; null where no law has one.
-  [[nodiscard]] FixNeighHistory* history_fix() const { return fix_history_; }
+  [[nodiscard]] FixGranBridgeHistory* history_fix() const { return fix_history_; }
   [[nodiscard]] int history_width() const { return static_cast<int>(history_.size()); }
 
  private:
@@ -76,7 +76,7 @@ class PairGranBridge : public Pair, private gasgrain::contact::ContactObserver {
   int frozen_ = 0;  // bit of the group of fix freeze
   // By type, of grains that move and of frozen ones.
   std::vector<double> largest_moving_, largest_frozen_;
-  FixNeighHistory* fix_history_ = nullptr;
+  FixGranBridgeHistory* fix_history_ = nullptr;
   double* to_ghosts_ = nullptr;  // what is being sent
 };
 

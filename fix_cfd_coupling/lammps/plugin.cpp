@@ -19,6 +19,7 @@
 #include "fix_cfd_coupling/fixes/host_session.h"
 #include "fix_cfd_coupling/lammps/compute_pair_gran_local.h"
 #include "fix_cfd_coupling/lammps/dump_custom_vtk.h"
+#include "fix_cfd_coupling/lammps/fix_gran_bridge_history.h"
 #include "fix_cfd_coupling/lammps/fix_property_global.h"
 #include "fix_cfd_coupling/lammps/fix_wall_gran_bridge.h"
 #include "fix_cfd_coupling/lammps/pair_gran_bridge.h"
@@ -76,6 +77,7 @@ constexpr std::array fixes{
     StyleEntry{"collisional_exchange", &make_fix<LAMMPS_NS::FixCollisionalExchange>},
     StyleEntry{"exchange/bgk", &make_fix<LAMMPS_NS::FixCollisionalExchange>},
     StyleEntry{"property/global", &make_fix<LAMMPS_NS::FixPropertyGlobal>},
+    StyleEntry{"NEIGH_HISTORY/gran/bridge", &make_fix<LAMMPS_NS::FixGranBridgeHistory>},
     StyleEntry{"wall/gran/bridge", &make_fix<LAMMPS_NS::FixWallGranBridge>}};
 constexpr std::array computes{
     StyleEntry{"pair/gran/local", &make_compute<LAMMPS_NS::ComputePairGranLocal>}};

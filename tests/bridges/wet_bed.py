@@ -1,4 +1,7 @@
-"""A few hundred wet grains in the real program, for the tests of their liquid."""
+"""A few hundred wet grains in the real programs, for the tests of their liquid.
+
+Scripts are in LIGGGHTS's words; `lammps` after the folder of the build runs them in LAMMPS.
+"""
 
 import csv
 import random
@@ -7,8 +10,11 @@ import sys
 import tempfile
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "hosts"))
+from host_words import HOST, command_of, in_words_of  # noqa: E402
+
 BUILD = Path(sys.argv.pop(1)).resolve() if len(sys.argv) > 1 else Path("build").resolve()
-PROGRAM = BUILD / "gasgrain-liggghts"
+SCRIPT_NAME = f"in.{HOST}"
 
 LIQUID = ("content 0.02 surface_tension 0.0728 contact_angle 0.35 viscosity 0.001 "
           "minimum_separation 1e-6")
@@ -55,11 +61,12 @@ def random_grains(count, size, seed, margin=0.0, speed=0.2):
                 number += 1
                 at = [margin + (i + 0.5 + rng.uniform(-0.12, 0.12)) * pitch for i in (ix, iy, iz)]
                 lines.append("create_atoms 1 single {:.12g} {:.12g} {:.12g} units box".format(*at))
-    lines.append("set group all density 2500 diameter {:.12g}".format(2 * radius))
     for n in range(1, number + 1):
         lines.append("set atom {} diameter {:.12g}".format(n, 2 * radius * rng.uniform(0.7, 1.0)))
         lines.append("set atom {} vx {:.6g} vy {:.6g} vz {:.6g}".format(
             n, *(rng.uniform(-speed, speed) for _ in range(3))))
+    # Last of all: in LAMMPS a diameter that is set leaves the mass as it was.
+    lines.append("set group all density 2500")
     return "\n".join(lines)
 
 
@@ -97,13 +104,13 @@ class Bed:
 
     def run(self, ranks=1, fails=False, **parts):
         text = SCRIPT.format(**{**self.parts, **parts})
-        (self.folder / "in.liggghts").write_text(text)
-        return self.run_script("in.liggghts", ranks, fails)
+        (self.folder / SCRIPT_NAME).write_text(in_words_of(HOST, text, BUILD))
+        return self.run_script(SCRIPT_NAME, ranks, fails)
 
     def run_script(self, name, ranks=1, fails=False):
         done = subprocess.run(
             ["mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "-np",
-             str(ranks), str(PROGRAM), "-in", name],
+             str(ranks), *command_of(HOST, BUILD), "-in", name],
             cwd=self.folder, capture_output=True, text=True, timeout=240, check=False)
         if (done.returncode != 0) != fails:
             raise AssertionError(f"status {done.returncode}\n{done.stdout[-2000:]}\n{done.stderr[-2000:]}")

@@ -4,28 +4,13 @@
 
 #include <cstddef>
 
+#include "fix_cfd_coupling/lammps/fix_gran_bridge_history.h"
 #include "fix_cfd_coupling/lammps/pair_gran_bridge.h"
 // --
-#include "fix_neigh_history.h"
 #include "force.h"
 #include "neigh_list.h"
 
 namespace gasgrain {
-
-// What the host stores of a grain's contacts is open to heirs of its class; none is ever made.
-class StoredContacts : public LAMMPS_NS::FixNeighHistory {
- public:
-  using History = LAMMPS_NS::FixNeighHistory;
-  StoredContacts() = delete;
-  // Of grain k: how many contacts; of the n-th the other grain's number and the row, `width` long.
-  static int count(const History& of, int k) { return (of.*(&StoredContacts::npartner))[k]; }
-  static int other(const History& of, int k, int n) {
-    return (of.*(&StoredContacts::partner))[k][n];
-  }
-  static double* row(const History& of, int k, int n, int width) {
-    return (of.*(&StoredContacts::valuepartner))[k] + static_cast<std::ptrdiff_t>(n) * width;
-  }
-};
 
 class HostContacts {
  public:
@@ -40,7 +25,7 @@ class HostContacts {
   void for_each(const F& f) const {
     if (pairs_ == nullptr || pairs_->list == nullptr) return;
     const LAMMPS_NS::NeighList& list = *pairs_->list;
-    const LAMMPS_NS::FixNeighHistory* history = pairs_->history_fix();
+    const LAMMPS_NS::FixGranBridgeHistory* history = pairs_->history_fix();
     if (history == nullptr) return;
     const std::ptrdiff_t width = pairs_->history_width();
     for (int n = 0; n < list.inum; ++n) {
@@ -54,11 +39,10 @@ class HostContacts {
   // with grain k when it last made its lists, or at the end of a run.
   template <class F>
   void for_each_stored(int k, const F& f) const {
-    const LAMMPS_NS::FixNeighHistory* stored = pairs_->history_fix();
-    if (stored == nullptr) return;
-    for (int n = 0; n < StoredContacts::count(*stored, k); ++n)
-      f(StoredContacts::other(*stored, k, n),
-        StoredContacts::row(*stored, k, n, pairs_->history_width()));
+    const LAMMPS_NS::FixGranBridgeHistory* history = pairs_->history_fix();
+    if (history == nullptr) return;
+    for (int n = 0; n < history->stored(k); ++n)
+      f(history->stored_other(k, n), history->stored_row(k, n));
   }
 
   // The host stores contacts at the end of a run by itself.
