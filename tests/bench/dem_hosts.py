@@ -108,8 +108,8 @@ def launch(work, host, build, ours, name, text, ranks):
     command = [str(program), "-in", script.name, "-log", "none"]
     if ranks > 1:
         command = ["mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "-np", str(ranks), *command]
-    done = subprocess.run(command, cwd=work, env=dict(os.environ, OMP_NUM_THREADS="1"), capture_output=True, text=True,
-                          check=False)
+    environment = dict(os.environ, OMP_NUM_THREADS="1", OMPI_MCA_mpi_yield_when_idle="1")
+    done = subprocess.run(command, cwd=work, env=environment, capture_output=True, text=True, check=False)
     times = re.findall(r"Loop time of ([\d.e+-]+)", done.stdout)
     if done.returncode != 0 or not times:
         raise SystemExit(f"{' '.join(command)}\n{done.stdout[-2000:]}\n{done.stderr[-2000:]}")

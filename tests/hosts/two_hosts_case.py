@@ -5,6 +5,7 @@ import os
 import random
 import subprocess
 import tempfile
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from coupled_launch import BIN
@@ -47,8 +48,9 @@ def crowd(number=100, seed=7, spread=0.8, speed=0.1):
         place = [0.01 + spread * 0.01 * roll.uniform(-1, 1), 0.01 + spread * 0.01 * roll.uniform(-1, 1),
                  0.001 + roll.uniform(0.47 * diameter, 0.008)]
         off_axis = math.hypot(place[0] - 0.01, place[1] - 0.01)
-        if off_axis > 0.0095 - 0.47 * diameter or any(sum((a - b)**2 for a, b in zip(place, other[3])) < (0.46 * (diameter + other[1]))**2
-               for other in grains):
+        if off_axis > 0.0095 - 0.47 * diameter:
+            continue
+        if any(math.dist(place, other[3]) < 0.46 * (diameter + other[1]) for other in grains):
             continue
         vector = lambda most: [roll.uniform(-most, most) for _ in range(3)]
         grains.append((roll.choice((1, 2)), diameter, 2500.0, place, vector(speed), vector(50.0)))
@@ -67,12 +69,13 @@ def data_file(grains, low=0.0, size=SIZE):
 
 
 def script(host, contact, walls=(), words="", before="", after="run 5", dt=1e-7, properties=MATERIALS, skin=5e-4,
-           newton="off", pair=None, wall=None, boundary="f f f"):
-    """`before` stands before the models, `pair` and `wall` in the place of the host's own lines."""
+           newton="off", pair=None, wall=None, boundary="f f f", every=1):
+    """`before` stands before the models, `pair` and `wall` in the place of the host's own lines; states are written
+    `every` so many steps."""
     lammps = host == "lammps"
     style = "gran/bridge" if lammps else "gran"
     columns = " ".join(COLUMNS.values())
-    every = " ".join(["%.17g"] * len(COLUMNS))
+    numbers = " ".join(["%.17g"] * len(COLUMNS))
     lines = [f"include {BIN / 'gasgrain.lmp'}"] if lammps else []
     lines += [f"atom_style {'sphere' if lammps else 'granular'}", "atom_modify map array sort 0 0", "units si",
               f"boundary {boundary}", f"newton {newton}", "comm_modify vel yes" if lammps else "communicate single vel yes",
@@ -81,8 +84,8 @@ def script(host, contact, walls=(), words="", before="", after="run 5", dt=1e-7,
     for n, shape in enumerate(walls):
         lines.append(wall.format(n, shape) if wall else
                      f"fix wall{n} all wall/{style} {contact} primitive type 2 {shape} {words}")
-    dump = (f"dump state all custom 1 state.txt id {columns}\n"
-            f'dump_modify state format {"line " if lammps else ""}"%d {every}"\nthermo_modify lost ignore')
+    dump = (f"dump state all custom {every} state.txt id {columns}\n"
+            f'dump_modify state format {"line " if lammps else ""}"%d {numbers}"\nthermo_modify lost ignore')
     # In a script that begins anew: what it loads, and its output, in another file.
     after = after.replace("@plugin@", str(BIN / "gasgrain.lmp")).replace("@dump@", dump.replace("state.txt", "later.txt"))
     return "\n".join([*lines, dump, after]) + "\n"
@@ -128,6 +131,16 @@ def states_of(host, grains, contact, **settings):
     status, output, states = run(host, grains, contact, **settings)
     assert status == 0 and states, f"{host}, {contact}: status {status}\n{output[-3000:]}"
     return states
+
+
+def in_both(grains, contact, **settings):
+    """The states in LIGGGHTS and in LAMMPS; what differs between the hosts' scripts is given as {host: value}."""
+    def of(host):
+        own = {name: value[host] if isinstance(value, dict) and host in value else value
+               for name, value in settings.items()}
+        return states_of(host, grains, contact, **own)
+    with ThreadPoolExecutor() as pool:
+        return list(pool.map(of, ("liggghts", "lammps")))
 
 
 def greatest(state, columns):

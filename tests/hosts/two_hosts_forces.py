@@ -3,12 +3,12 @@
 
 import unittest
 
-from two_hosts_case import (FORCE, MATERIALS, MOTION, TORQUE, WALLS, crowd, differ, greatest, run, states_of)
+from two_hosts_case import (FORCE, MATERIALS, MOTION, TORQUE, WALLS, crowd, differ, greatest, in_both, run, states_of)
 
 # Both hosts do the same few hundred operations on the same numbers, in another order.
 ROUND_OFF = 1e-12
 # Velocities stay, so that friction's springs are wound up alike: some slide, some hold.
-STEPS = {"dt": 2e-6, "after": "run 20"}
+STEPS = {"dt": 2e-6, "after": "run 20", "every": 20}
 STOCK = {"hertz/history": "2e5 NULL 2e3 NULL 0.3 1", "hooke/history": "2e3 1e3 2e3 1e3 0.3 1 limit_damping"}
 
 
@@ -44,10 +44,9 @@ class Forces(unittest.TestCase):
     def both(self, contact, grains=None, **settings):
         """The states of the last step in both hosts."""
         lines = settings.pop("lines", "")
-        states = []
-        for host in ("liggghts", "lammps"):
-            own = {"properties": MATERIALS + (lines[host] if isinstance(lines, dict) else lines)}
-            states.append(states_of(host, grains or self.grains, contact, **{**STEPS, **own, **settings}))
+        properties = ({host: MATERIALS + own for host, own in lines.items()} if isinstance(lines, dict)
+                      else MATERIALS + lines)
+        states = in_both(grains or self.grains, contact, **{**STEPS, "properties": properties, **settings})
         self.assertEqual(*(max(state) for state in states))
         for step in (min(states[0]), max(states[0])):
             one, other = (state[step] for state in states)
@@ -95,18 +94,19 @@ class Forces(unittest.TestCase):
             self.assertGreater(greatest(last, FORCE), 0.0)
 
     def test_two_ranks_feel_what_one_feels(self):
-        contact = "model hertz tangential history rolling_friction epsd"
-        for host in ("liggghts", "lammps"):
-            one, two = (states_of(host, self.grains, contact, walls=WALLS, ranks=ranks, **STEPS) for ranks in (1, 2))
-            for columns in (FORCE, TORQUE):
-                self.assertLess(differ(one[20], two[20], columns), ROUND_OFF)
+        contact = "model hertz tangential history rolling_friction epsd cohesion bridge"
+        one, two = (states_of("lammps", self.grains, contact, walls=WALLS, ranks=ranks, dt=2e-6, every=50,
+                              properties=MATERIALS + LIQUID, after="fix move all nve/sphere\nrun 200")
+                    for ranks in (1, 2))
+        for columns in (MOTION, FORCE, TORQUE):
+            self.assertLess(differ(one[200], two[200], columns), ROUND_OFF)
 
     def test_lammps_own_laws_are_felt_as_its_own_styles_have_them(self):
         walls = ("xplane 0.019", "zplane 0.001")
         for law, arguments in STOCK.items():
             for newton, ranks in (("off", 1), ("on", 1), ("on", 2)):
                 # Grains move, part and meet, and change ranks.
-                settings = {"newton": newton, "ranks": ranks, "dt": 2e-6,
+                settings = {"newton": newton, "ranks": ranks, "dt": 2e-6, "every": 10,
                             "after": "fix move all nve/sphere\nrun 100"}
                 own = states_of("lammps", self.grains, "", pair=f"gran/{law} {arguments}",
                                 walls=("xplane NULL 0.019", "zplane 0.001 NULL"),
@@ -124,7 +124,7 @@ class Forces(unittest.TestCase):
         # LAMMPS's own cylinder stands at 0, 0
         moved = [(kind, size, density, [place[0] - 0.01, place[1] - 0.01, place[2]], speed, spin)
                  for kind, size, density, place, speed, spin in self.grains]
-        settings = {"dt": 2e-6, "after": "run 20", "low": -0.01}
+        settings = {"dt": 2e-6, "after": "run 20", "low": -0.01, "every": 20}
         own = states_of("lammps", moved, "", pair=f"gran/hertz/history {arguments}", walls=("zcylinder 0.0095",),
                         wall=f"fix wall{{}} all wall/gran hertz/history {arguments} {{}}", **settings)
         ours = states_of("lammps", moved, f"hertz/history {arguments}", walls=("zcylinder 0.0095 0 0",), **settings)
@@ -132,22 +132,23 @@ class Forces(unittest.TestCase):
             self.assertLess(differ(own[20], ours[20], columns), ROUND_OFF)
 
     def test_a_restart_goes_on_with_the_history_of_pairs_and_walls(self):
-        contact = "model hertz tangential history rolling_friction epsd"
         move = "fix move all nve/sphere\n"
-        whole = states_of("lammps", self.grains, contact, walls=WALLS, dt=2e-6, after=move + "run 100\nrun 100")
-        walls = "".join(f"fix wall{n} all wall/gran/bridge {contact} primitive type 2 {shape}\n"
-                        for n, shape in enumerate(WALLS))
-        resume = ("write_restart half\nclear\ninclude @plugin@\nread_restart half\nneighbor 5e-4 bin\n"
-                  "neigh_modify delay 0\natom_modify sort 0 0\n"
-                  f"{MATERIALS}pair_style gran/bridge {contact}\npair_coeff * *\n{walls}{move}")
-        halves = states_of("lammps", self.grains, contact, walls=WALLS, dt=2e-6,
-                           after=move + "run 100\n" + resume + "@dump@\nrun 100")
-        for columns in (MOTION, FORCE, TORQUE):
-            self.assertLess(differ(whole[200], halves[200], columns), ROUND_OFF)
-        # Without the history it would be another end.
-        fresh = states_of("lammps", self.grains, contact, walls=WALLS, dt=2e-6,
-                          after=move + "run 100\n" + resume.replace("fix wall", "fix other") + "@dump@\nrun 100")
-        self.assertGreater(differ(whole[200], fresh[200], FORCE), 1e-6)
+        for contact, lines, ranks in (("model hertz tangential history rolling_friction epsd", "", 1),
+                                      ("model hertz tangential history cohesion bridge", LIQUID, 2)):
+            settings = {"walls": WALLS, "dt": 2e-6, "properties": MATERIALS + lines, "ranks": ranks, "every": 100}
+            whole = states_of("lammps", self.grains, contact, after=move + "run 100\nrun 100", **settings)
+            walls = "".join(f"fix wall{n} all wall/gran/bridge {contact} primitive type 2 {shape}\n"
+                            for n, shape in enumerate(WALLS))
+            resume = ("write_restart half\nclear\ninclude @plugin@\nnewton off\nread_restart half\nneighbor 5e-4 bin\n"
+                      "neigh_modify delay 0\natom_modify sort 0 0\n"
+                      f"{MATERIALS}{lines}pair_style gran/bridge {contact}\npair_coeff * *\n{walls}{move}@dump@\nrun 100")
+            halves = states_of("lammps", self.grains, contact, after=move + "run 100\n" + resume, **settings)
+            for columns in (MOTION, FORCE, TORQUE):
+                self.assertLess(differ(whole[200], halves[200], columns), ROUND_OFF)
+            # Without what the walls remember it would be another end.
+            fresh = states_of("lammps", self.grains, contact,
+                              after=move + "run 100\n" + resume.replace("fix wall", "fix other"), **settings)
+            self.assertGreater(differ(whole[200], fresh[200], FORCE), 1e-9)
 
 
 class Refusals(unittest.TestCase):
