@@ -106,15 +106,13 @@ def read_states(text):
     return states
 
 
-def run(host, grains, contact, ranks=1, size=SIZE, low=0.0, files=None, **settings):
-    """(status, everything printed, states)"""
+def run(host, grains, contact, ranks=1, size=SIZE, low=0.0, keep=None, **settings):
+    """(status, everything printed, states); with `keep` also the text of the file of this name."""
     program = str(BIN / "gasgrain-liggghts") if host == "liggghts" else "lmp"
     with tempfile.TemporaryDirectory(prefix="gasgrain-test-") as name:
         folder = Path(name)
         (folder / "grains.data").write_text(data_file(grains, low, size))
         (folder / "in").write_text(script(host, contact, **settings))
-        for other, text in (files or {}).items():
-            (folder / other).write_text(text)
         command = [program, "-in", "in", "-log", "none"]
         if ranks > 1:
             command = ["mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "-np", str(ranks), *command]
@@ -122,9 +120,10 @@ def run(host, grains, contact, ranks=1, size=SIZE, low=0.0, files=None, **settin
                               env={**os.environ, "OMP_NUM_THREADS": "1"})
         states = {}
         for states_file in ("state.txt", "later.txt"):
-            if (folder / states_file).exists():
+            if states_file != keep and (folder / states_file).exists():
                 states.update(read_states((folder / states_file).read_text()))
-        return done.returncode, done.stdout + done.stderr, states
+        found = done.returncode, done.stdout + done.stderr, states
+        return found if keep is None else (*found, (folder / keep).read_text())
 
 
 def states_of(host, grains, contact, **settings):

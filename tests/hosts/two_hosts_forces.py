@@ -38,6 +38,12 @@ COHESIONS = {
 }
 
 
+def read_local(text):
+    """The rows of the last step of a local dump, without their numbers."""
+    lines = text.split("ITEM: ENTRIES")[-1].splitlines()[1:]
+    return [[float(word) for word in line.split()[1:]] for line in lines]
+
+
 class Forces(unittest.TestCase):
     grains = crowd()
 
@@ -114,6 +120,32 @@ class Forces(unittest.TestCase):
                 ours = states_of("lammps", self.grains, f"{law} {arguments}", walls=walls, **settings)
                 for columns in (FORCE, TORQUE):
                     self.assertLess(max(differ(own[n], ours[n], columns) for n in own), ROUND_OFF, law)
+
+    def test_grains_of_a_rigid_body_have_its_mass_as_in_lammps_own_styles(self):
+        arguments = STOCK["hertz/history"]
+        after = ("group clump id < 9\ngroup rest subtract all clump\nfix body clump rigid single\n"
+                 "fix move rest nve/sphere\nneigh_modify exclude group clump clump\nrun 100")
+        for newton, ranks in (("off", 1), ("on", 2)):
+            settings = {"dt": 2e-6, "after": after, "newton": newton, "ranks": ranks, "every": 10}
+            own = states_of("lammps", self.grains, "", pair=f"gran/hertz/history {arguments}",
+                            walls=("zplane 0.001 NULL",), wall=f"fix wall{{}} all wall/gran hertz/history {arguments} {{}}",
+                            **settings)
+            ours = states_of("lammps", self.grains, f"hertz/history {arguments}", walls=("zplane 0.001",), **settings)
+            for columns in (MOTION, FORCE):
+                self.assertLess(max(differ(own[n], ours[n], columns) for n in own), ROUND_OFF)
+
+    def test_what_compute_pair_local_reads_is_as_in_lammps_own_styles(self):
+        arguments = STOCK["hertz/history"]
+        after = ("compute loc all pair/local dist force p1 p2 p3 p4 p5 p8\ndump loc all local 5 later.txt index c_loc[*]\n"
+                 "dump_modify loc format float %.17g\nrun 5")
+        rows = [read_local(run("lammps", self.grains, f"hertz/history {arguments}", after=after, pair=pair,
+                               keep="later.txt", dt=2e-6)[3])
+                for pair in (None, f"gran/hertz/history {arguments}")]
+        self.assertGreater(len(rows[0]), 50)
+        self.assertEqual(len(rows[0]), len(rows[1]))
+        for column in zip(*(zip(*part) for part in rows)):
+            most = max(map(abs, column[1]))
+            self.assertLess(max(abs(a - b) for a, b in zip(*column)), ROUND_OFF * max(most, 1e-300))
 
     def test_frozen_grains_and_round_walls_are_as_in_lammps_own_styles(self):
         arguments = STOCK["hertz/history"]
