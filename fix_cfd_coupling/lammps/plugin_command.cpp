@@ -22,8 +22,8 @@ class PluginCommand : public LAMMPS_NS::Command {
         fail("the command is 'plugin load FILE', FILE a library made by gasgrain_add_law(LAW.h).{}",
              count > 0 && std::string(words[0]) != "load" ? suggestion(words[0], {"load"}) : "");
       contact::load_law(words[1], "lammps");
-    } catch (const Error& fault) {
-      stop_everything(fault.what());
+    } catch (const Error& e) {
+      stop_everything(e.what());
     }
   }
 };

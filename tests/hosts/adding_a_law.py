@@ -108,8 +108,13 @@ class InLiggghts(Law):
         self.refused(["cohesion constant_pull", "pullForce = -3e-06 N must be 0 or above"],
                      properties=PROPERTY.replace(f"{PULL}", f"{-PULL}"))
 
+    def test_it_may_be_loaded_again(self):
+        again = f"{PROPERTY}\nplugin load {LIBRARY['liggghts']}"
+        self.assertEqual(self.forces(self.case(self.pairs(), again)), self.forces(self.case(self.pairs())))
+
     def test_a_library_that_is_none_of_this_host_is_refused(self):
-        self.refused(["in.liggghts:", "nothing.so", "there is no such file"], library="./nothing.so")
+        self.refused(["in.liggghts:", "nothing.so", "there is no such file"], library="nothing.so")
+        self.refused(["it holds no contact law"], library="/usr/lib/x86_64-linux-gnu/libliggghts.so")
         if WITH_LAMMPS:
             self.refused(["is built for lammps, and this is liggghts"], library=LIBRARY["lammps"])
 
@@ -194,6 +199,10 @@ class InLammps(Law):
     def test_a_misspelt_property_is_told_with_the_nearest(self):
         self.refused(["cohesion constant_pull", "it needs the property pullForce", 'has "pullForc": is it misspelt?'],
                      properties=PROPERTY.replace("pullForce", "pullForc"))
+
+    def test_it_may_be_loaded_again(self):
+        again = f"{PROPERTY}\nplugin load {LIBRARY['lammps']}"
+        self.assertEqual(self.forces(InLiggghts.pairs(), properties=again), self.forces(InLiggghts.pairs()))
 
     def test_the_library_of_the_other_host_is_refused(self):
         self.refused(["is built for liggghts, and this is lammps"], library=LIBRARY["liggghts"])
