@@ -82,12 +82,25 @@ class CohesionBridge : public CohesionLaw {
       c.keep = !bridge.absent();
     }
     if (!bridge.stands()) return;
-    const auto shape = [&] { return liquid::bridge_between(settings, pair, bridge.volume); };
-    const Vec3 pull = -liquid::pull_of(settings, bridge, shape, gap) * normal;
+    const Vec3 pull = -(gap > 0.0 ? pull_over(pair, bridge, gap) : bridge.pull) * normal;
     add(pull, f.force_i);
     add(-pull, f.force_j);
     c.acts = true;
-    if (!settings.viscous()) return;
+    if (settings.viscous()) drag_pair(c, pair, bridge, gap, normal, velocity, f);
+  }
+
+  // What follows is kept out of the loop, which most bridges of a bed pass in overlap.
+  [[gnu::noinline]] double pull_over(const liquid::GrainPair& pair,
+                                     const liquid::StoredBridge& bridge, double gap) const {
+    const auto& settings = liquid_->settings();
+    const auto shape = [&] { return liquid::bridge_between(settings, pair, bridge.volume); };
+    return liquid::pull_of(settings, bridge, shape, gap);
+  }
+
+  void drag_pair(const ContactView& c, const liquid::GrainPair& pair,
+                 const liquid::StoredBridge& bridge, double gap, const Vec3& normal,
+                 const Vec3& velocity, const ContactForces& f) {
+    const auto& films = liquid_->films();
     const double share = gap / c.radsum;
     const liquid::BridgeMotion motion{
         gap,
@@ -98,15 +111,22 @@ class CohesionBridge : public CohesionLaw {
         c.radi * (1.0 + share),
         c.radj * (1.0 + share),
         c.dt * (films.published(c.i).bridges_over_mass + films.published(c.j).bridges_over_mass)};
-    const auto drag = liquid::viscous_force(settings, bridge, shape, motion, liquid_->held_back());
+    const liquid::BridgeForce drag = drag_of(motion, pair, bridge);
     add(drag.on_i, f.force_i);
     add(-drag.on_i, f.force_j);
     add(drag.torque_i, f.torque_i);
     add(drag.torque_j, f.torque_j);
   }
+  [[gnu::noinline]] liquid::BridgeForce drag_of(const liquid::BridgeMotion& motion,
+                                                const liquid::GrainPair& pair,
+                                                const liquid::StoredBridge& bridge) {
+    const auto& settings = liquid_->settings();
+    const auto shape = [&] { return liquid::bridge_between(settings, pair, bridge.volume); };
+    return liquid::viscous_force(settings, bridge, shape, motion, liquid_->held_back());
+  }
 
   // Where a bridge may form or break. Across a periodic face the two owners see distances that
-  // differ in their last digits; what they decide must not. Seldom, and so kept out of the loop.
+  // differ in their last digits; what they decide must not.
   [[gnu::noinline]] void decide(const liquid::GrainPair& pair, const double* delta, double dt,
                                 liquid::StoredBridge& bridge, const Vec3& velocity) {
     const Vec3 apart = liquid_->periodic() ? liquid_->between(pair.i, pair.j) : vec(delta);
