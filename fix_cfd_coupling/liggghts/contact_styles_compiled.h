@@ -14,20 +14,6 @@
 
 namespace gasgrain {
 
-// The host's loops with all that they call of the models inlined, which takes the shown contacts
-// apart: left to itself the compiler stores them for every call.
-template <class Model>
-class FusedPairs final : public LIGGGHTS::PairStyles::Granular<Model> {
-  using Loop = LIGGGHTS::PairStyles::Granular<Model>;
-
- public:
-  using Loop::Loop;
-  [[gnu::flatten]] void compute_force(LAMMPS_NS::PairGran* pair, int energy, int virial,
-                                      int add) override {
-    Loop::compute_force(pair, energy, virial, add);
-  }
-};
-
 template <int normal, int tangential, int cohesion, int rolling>
 void add_combination() {
   using namespace LIGGGHTS;
@@ -36,7 +22,8 @@ void add_combination() {
   PairStyles::Factory::instance().addStyle("gran", static_cast<int>(Style::HASHCODE),
                                            [](LAMMPS_NS::LAMMPS* host, LAMMPS_NS::PairGran* pair,
                                               int64_t hash) -> PairStyles::IGranularPairStyle* {
-                                             return new FusedPairs<Model>(host, pair, hash);
+                                             return new PairStyles::Granular<Model>(host, pair,
+                                                                                    hash);
                                            });
   Walls::Factory::instance().addStyle("gran", static_cast<int>(Style::HASHCODE),
                                       [](LAMMPS_NS::LAMMPS* host, LAMMPS_NS::FixWallGran* wall,
