@@ -70,6 +70,7 @@ def bridge(name, words, before="", after="", **more):
 
 PROGRAMS = [
     liggghts("LIGGGHTS gran", False),
+    liggghts("LIGGGHTS, ours, gran", True, stock_of="LIGGGHTS gran"),
     liggghts("LIGGGHTS, ours, bridge without liquid", True, "cohesion bridge",
              LIQUID.replace("content 0.005", "content 0"), stock_of="LIGGGHTS gran"),
     Program("LAMMPS granular", "lammps", False, "granular", f"wall/gran granular {GRANULAR} zplane 0.0 NULL",
