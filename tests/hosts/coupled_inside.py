@@ -7,7 +7,7 @@ import subprocess
 import time
 import unittest
 
-from coupled_launch import BIN, COUPLE, Scene, differing_steps
+from coupled_launch import BIN, COUPLE, HOST, Scene, command_of, differing_steps
 
 INSIDE = COUPLE.replace("void_fraction", "gas gas.toml void_fraction")
 # 0.1 s: the bed has been blown up and falls back.
@@ -62,7 +62,7 @@ class Inside(unittest.TestCase):
         extra = ("restart 500 @out@/checkpoint/dem.*.restart\n"
                  "dump view all custom/vtk 500 @out@/particles/p_*.vtk id type x y z radius")
         with Scene(couple=INSIDE, extra=extra) as scene:
-            done = subprocess.run([BIN / "gasgrain-liggghts", "-in", "in.liggghts"],
+            done = subprocess.run([*command_of(HOST, BIN), "-in", scene.script.name],
                                   cwd=scene.folder, text=True, capture_output=True, timeout=60,
                                   check=False)
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
@@ -101,7 +101,7 @@ class Inside(unittest.TestCase):
 
     def resume(self, scene, gas_restart):
         scene.resume(500, 1000)
-        script = scene.folder / "in.liggghts"
+        script = scene.script
         script.write_text(script.read_text().replace("gas gas.toml", f"gas gas.toml {gas_restart}"))
 
     def test_the_wish_to_stop_leaves_a_pair_of_checkpoints(self):
@@ -153,7 +153,7 @@ class Inside(unittest.TestCase):
             file = scene.folder / "gas.toml"
             text = file.read_text().replace("courant_max", "courant_mx")
             file.write_text(text.replace("center = [0.011, 0.011]", "center = [0.021, 0.011]"))
-        self.refused(["in.liggghts:", "gas.toml:7:", 'Did you mean "courant_max"?',
+        self.refused([f"in.{HOST}:", "gas.toml:7:", 'Did you mean "courant_max"?',
                       "leaves its side z_lo"], edit=edit)
 
     def test_an_input_that_is_not_there(self):

@@ -1,4 +1,7 @@
-"""A small coupled scene for tests, and its launch with the real programs under mpirun."""
+"""A small coupled scene for tests, and its launch with the real programs under mpirun.
+
+Its script is in LIGGGHTS's words; `lammps` after the folder of the build runs it in LAMMPS.
+"""
 
 import csv
 import os
@@ -10,6 +13,8 @@ import sys
 import tempfile
 import time
 from pathlib import Path
+
+from host_words import HOST, command_of, in_words_of
 
 BIN = Path(sys.argv.pop(1) if len(sys.argv) > 1 else "build").resolve()
 SOURCE = Path(__file__).resolve().parents[2]
@@ -95,7 +100,8 @@ class Scene:
         values = {"boundary": "f f f", "top": "0.11", "couple": COUPLE, "extra": "", "steps": 1000,
                   "processors": "", "jet": 45.0, **marks}
         values["out"] = self.out
-        (self.folder / "in.liggghts").write_text(filled(filled(SCRIPT, values), values))
+        self.script = self.folder / f"in.{HOST}"
+        self.script.write_text(in_words_of(HOST, filled(filled(SCRIPT, values), values), BIN))
         (self.folder / "gas.toml").write_text(filled(GAS, values))
 
     def __enter__(self):
@@ -106,14 +112,14 @@ class Scene:
 
     def resume(self, step, last):
         """The script goes on from its checkpoint of `step`, up to step `last`."""
-        script = self.folder / "in.liggghts"
+        script = self.script
         text = re.sub(r"region box.*?set group all[^\n]*\n",
                       f"read_restart {self.out}/checkpoint/dem.{step}.restart\n",
                       script.read_text(), flags=re.S)
         script.write_text(re.sub(r"run \d+", f"run {last} upto", text))
 
     def command(self, dem_ranks=1, gas_ranks=1, gas_first=False, dem_options=(), gas_options=()):
-        dem = ["-np", str(dem_ranks), str(BIN / "gasgrain-liggghts"), "-in", "in.liggghts",
+        dem = ["-np", str(dem_ranks), *command_of(HOST, BIN, beside_gas=True), "-in", self.script.name,
                *dem_options]
         gas = ["-np", str(gas_ranks), str(BIN / "gasgrain-gas"), "gas.toml", "--out", str(self.out),
                *gas_options]

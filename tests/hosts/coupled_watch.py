@@ -11,20 +11,22 @@ from pathlib import Path
 
 import h5py
 
-from coupled_launch import BIN, COUPLE, SOURCE, Scene, pids_of
+from coupled_launch import BIN, COUPLE, HOST, SOURCE, Scene, command_of, in_words_of, pids_of
 
 SOON = 20.0  # s, on a machine that does other things too
 ONE_PLACE = """\
 run 100
-create_atoms 1 single 0.011 0.011 0.09
-create_atoms 1 single 0.011 0.011 0.09
+create_atoms 1 single 0.011 0.011 0.09 units box
+create_atoms 1 single 0.011 0.011 0.09 units box
 set group all diameter 0.0025 density 2500"""
 INSIDE = COUPLE.replace("output", "gas gas.toml output")
 OVERLAPPED = COUPLE.replace("output", "mode overlapped output")
 
 
 def replaced(name, old, new):
-    """An edit of a scene's file."""
+    """An edit of a scene's file, of the script in LIGGGHTS's words."""
+    old, new = (in_words_of(HOST, words, BIN) for words in (old, new))
+
     def edit(scene):
         file = scene.folder / name
         text = file.read_text()
@@ -41,10 +43,10 @@ def messages(text):
 def grains_of(folder, restart):
     """The host alone reads the file, and counts."""
     script = folder / "in.autopsy"
-    script.write_text(f"atom_style granular\natom_modify map array\nnewton off\n"
-                      f"communicate single vel yes\nread_restart {restart}\n"
-                      f"print 'there are $(atoms) grains'\n")
-    done = subprocess.run([BIN / "gasgrain-liggghts", "-in", script.name], cwd=folder, text=True,
+    script.write_text(in_words_of(HOST, "atom_style granular\natom_modify map array\nnewton off\n"
+                                  f"communicate single vel yes\nread_restart {restart}\n"
+                                  "print 'there are $(atoms) grains'\n", BIN))
+    done = subprocess.run([*command_of(HOST, BIN), "-in", script.name], cwd=folder, text=True,
                           capture_output=True, timeout=60, check=False)
     found = re.search(r"^  (\d+) atoms$", done.stdout, flags=re.M)
     assert found, done.stdout + done.stderr
@@ -64,7 +66,7 @@ class Watch(unittest.TestCase):
             status, text, seconds = scene.run(timeout=60, **ranks)
             self.assertNotEqual(status, 0, text)
             self.assertLess(seconds, SOON, text)
-            for program in ("gasgrain-gas", "gasgrain-liggghts"):
+            for program in ("gasgrain-gas", command_of(HOST, BIN)[0].rpartition("/")[2]):
                 self.assertEqual(pids_of(program, scene.folder), [])
             told = messages(text)
             self.assertEqual(len(told), 1, text)
@@ -109,7 +111,7 @@ class Watch(unittest.TestCase):
             self.stops(words, extra="unfix z_lo", steps=100000, dem_ranks=ranks)
 
     def test_one_rank_alone_finds_a_grain_that_flies_away(self):
-        fast = "group one id 760\nrun 100\nvelocity one set 0 0 20"
+        fast = "group one id 760\nrun 100\nvelocity one set 0 0 20 units box"
         _, rows = self.stops([r"grain 760 at .* z = 0.11\d* m, .* has left the box through z_hi"],
                              extra=fast, dem_ranks=2, gas_ranks=2)
         self.assertGreater(rows[-1]["step"], 100)
@@ -128,15 +130,16 @@ class Watch(unittest.TestCase):
         self.assertEqual(rows[0]["particles"] - rows[-1]["particles"], left)
 
     def test_an_overlap_of_more_than_a_radius(self):
-        fast = "group one id 760\nrun 100\nvelocity one set 0 0 -60"
+        fast = "group one id 760\nrun 100\nvelocity one set 0 0 -60 units box"
         self.stops([r"grain \d+ at .* and grain \d+ at .* overlap by 0.00[12]\d* m, more than the radius "
                     r"of the smaller, 0.00125 m, at step 1\d\d, t = 0.00\d+ s", r"raise youngsModulus"],
                    extra=fast, dem_ranks=2)
 
     def test_a_bed_too_soft_for_its_weight_is_pressed_through_its_floor(self):
         def soften(scene):
-            replaced("in.liggghts", "fix youngs", "soft_particles yes\nfix youngs")(scene)
-            replaced("in.liggghts", "peratomtype 5e6", "peratomtype 2e2")(scene)
+            if HOST == "liggghts":
+                replaced(f"in.{HOST}", "fix youngs", "soft_particles yes\nfix youngs")(scene)
+            replaced(f"in.{HOST}", "peratomtype 5e6", "peratomtype 2e2")(scene)
         self.stops([r"has left the box through z_lo .*: a lost particle\.",
                     r"the grain was pressed or shot through it: then raise youngsModulus"],
                    edit=soften, jet=1.0, steps=10000)
@@ -253,55 +256,56 @@ class DemStep(unittest.TestCase):
         text = self.refused([r"'timestep 0.0002' is too long for the contacts: two grains of type 1 \(the "
                              r"smallest, 0.0025 m across\) touch for 0.00032\d s \(hertz, youngsModulus "
                              r"5e\+06 Pa, 1.5 m/s\); that is 1.6 steps"],
-                            replaced("in.liggghts", "timestep 2e-5", "timestep 2e-4"))
+                            replaced(f"in.{HOST}", "timestep 2e-5", "timestep 2e-4"))
         advised = re.search(r"Write '(timestep [\d.e-]+)'", text)[1]
-        status, text = self.told([replaced("in.liggghts", "timestep 2e-5", advised)])
+        status, text = self.told([replaced(f"in.{HOST}", "timestep 2e-5", advised)])
         self.assertEqual((status, text), (0, ""))
 
     def test_a_step_between_is_warned_of_once_and_runs(self):
-        status, text = self.told([replaced("in.liggghts", "timestep 2e-5", "timestep 5e-5")],
+        status, text = self.told([replaced(f"in.{HOST}", "timestep 2e-5", "timestep 5e-5")],
                                  extra="run 20")
         self.assertEqual(status, 0)
         self.assertRegex(text, r"'timestep 5e-05' is long for the contacts: .* that is 6.5 steps")
         self.assertEqual(text.count("is long"), 1)
 
     def test_the_other_normal_models(self):
-        slow = replaced("in.liggghts", "timestep 2e-5", "timestep 1e-3")
+        slow = replaced(f"in.{HOST}", "timestep 2e-5", "timestep 1e-3")
         pair = "pair_style gran model hertz tangential history"
         speed = "fix speed all property/global characteristicVelocity scalar 2.0\n"
         kn = "\n".join(f"fix {n} all property/global {n} peratomtypepair 1 {v}" for n, v in
                        (("kn", 1000), ("kt", 300), ("gamman_abs", 0.01), ("gammat_abs", 0.01))) + "\n"
         self.refused([r"\(hooke, youngsModulus 5e\+06 Pa, characteristicVelocity 2 m/s\)"], slow,
-                     replaced("in.liggghts", pair, speed + pair.replace("hertz", "hooke")))
+                     replaced(f"in.{HOST}", pair, speed + pair.replace("hertz", "hooke")))
         # pi sqrt(m / 2 / k), m of 2.5 mm glass
         self.refused([r"touch for 0.000318 s \(hooke/stiffness, kn 1000\)"], slow,
-                     replaced("in.liggghts", pair,
+                     replaced(f"in.{HOST}", pair,
                               kn + pair.replace("hertz", "hooke/stiffness") + " absolute_damping on"))
 
     def test_a_harder_wall_counts(self):
         wall = ("create_box 1 box", "create_box 2 box")
-        two = [replaced("in.liggghts", *wall),
-               replaced("in.liggghts", "youngsModulus peratomtype 5e6", "youngsModulus peratomtype 5e6 5e8"),
-               replaced("in.liggghts", "poissonsRatio peratomtype 0.17", "poissonsRatio peratomtype 0.17 0.3"),
-               replaced("in.liggghts", "peratomtypepair 1 0.9", "peratomtypepair 2 0.9 0.9 0.9 0.9"),
-               replaced("in.liggghts", "peratomtypepair 1 0.1", "peratomtypepair 2 0.1 0.1 0.1 0.1"),
-               replaced("in.liggghts", "primitive type 1 zplane", "primitive type 2 zplane"),
-               replaced("in.liggghts", "timestep 2e-5", "timestep 2e-4")]
+        two = [replaced(f"in.{HOST}", *wall),
+               replaced(f"in.{HOST}", "youngsModulus peratomtype 5e6", "youngsModulus peratomtype 5e6 5e8"),
+               replaced(f"in.{HOST}", "poissonsRatio peratomtype 0.17", "poissonsRatio peratomtype 0.17 0.3"),
+               replaced(f"in.{HOST}", "peratomtypepair 1 0.9", "peratomtypepair 2 0.9 0.9 0.9 0.9"),
+               replaced(f"in.{HOST}", "peratomtypepair 1 0.1", "peratomtypepair 2 0.1 0.1 0.1 0.1"),
+               replaced(f"in.{HOST}", "primitive type 1 zplane", "primitive type 2 zplane"),
+               replaced(f"in.{HOST}", "timestep 2e-5", "timestep 2e-4")]
         self.refused([r"a grain of type 1 \(.*\) and a wall of type 2 touch for 0.00028\d s"], *two)
 
     def test_a_bed_that_nothing_moves_and_a_grain_alone_may_take_any_step(self):
-        slow = replaced("in.liggghts", "timestep 2e-5", "timestep 2e-4")
-        frozen = replaced("in.liggghts", "fix motion all nve/sphere\n", "")
+        slow = replaced(f"in.{HOST}", "timestep 2e-5", "timestep 2e-4")
+        frozen = replaced(f"in.{HOST}", "fix motion all nve/sphere\n", "")
         self.assertEqual(self.told([slow, frozen]), (0, ""))
 
         def alone(scene):
-            script = scene.folder / "in.liggghts"
+            script = scene.script
             text = script.read_text().replace("create_atoms 1 region bed",
                                               "create_atoms 1 single 0.011 0.011 0.08 units box")
             script.write_text("".join(line for line in text.splitlines(keepends=True)
                                       if "wall/gran" not in line))
         self.assertEqual(self.told([slow, alone]), (0, ""))
 
+    @unittest.skipIf(HOST == "lammps", "LAMMPS inserts grains by other commands")
     def test_grains_that_come_later_are_looked_at_when_they_come(self):
         # No grain at the beginning of the run.
         pour = """\
@@ -311,8 +315,8 @@ region above block 0.001 0.021 0.001 0.021 0.05 0.10 units box
 fix rain all insert/pack seed 32452843 distributiontemplate sizes maxattempt 100 insert_every 10 &
     overlapcheck yes all_in yes vel constant 0. 0. -0.5 region above particles_in_region 20"""
         self.refused([r"'timestep 0.0002' is too long"],
-                     replaced("in.liggghts", "create_atoms 1 region bed\nset group all diameter 0.0025 density 2500", ""),
-                     replaced("in.liggghts", "timestep 2e-5", "timestep 2e-4"), extra=pour, steps=100)
+                     replaced(f"in.{HOST}", "create_atoms 1 region bed\nset group all diameter 0.0025 density 2500", ""),
+                     replaced(f"in.{HOST}", "timestep 2e-5", "timestep 2e-4"), extra=pour, steps=100)
 
     def test_a_contact_model_that_cannot_be_read_is_said_and_not_refused(self):
         pair = "pair_style gran model hertz tangential history"
@@ -320,8 +324,10 @@ fix rain all insert/pack seed 32452843 distributiontemplate sizes maxattempt 100
                              (("coefficientMaxElasticStiffness", 2.0), ("coefficientAdhesionStiffness", 0.1),
                               ("coefficientPlasticityDepth", 0.05)))
         speed = "fix speed all property/global characteristicVelocity scalar 2.0\n"
-        status, text = self.told([replaced("in.liggghts", pair, hysteresis + speed + pair.replace(
-            "hertz", "hooke/hysteresis"))], extra="run 20")
+        unread = hysteresis + speed + pair.replace("hertz", "hooke/hysteresis")
+        if HOST == "lammps":
+            unread = "pair_style gran/hertz/history 5e6 NULL 50 NULL 0.1 1"
+        status, text = self.told([replaced(f"in.{HOST}", pair, unread)], extra="run 20")
         self.assertEqual((status, text.count("nobody checks that 'timestep 2e-05'")), (0, 1), text)
 
 
