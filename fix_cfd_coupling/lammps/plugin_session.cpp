@@ -74,6 +74,15 @@ void begin_session(LAMMPS_NS::LAMMPS& host) {
   call_when_freed(MPI_COMM_SELF, mpi_ends);
 }
 
+const char* program_name() {
+  return "gasgrain-lammps";
+}
+
+// Its own errors, to which this might add, it tells itself.
+std::string hint(const std::string&) {
+  return "";
+}
+
 void abort_launch() {
   std::fflush(nullptr);
   MPI_Abort(MPI_COMM_WORLD, 1);

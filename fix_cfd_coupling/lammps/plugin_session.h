@@ -11,7 +11,4 @@ namespace gasgrain {
 // and sees to it that the partner ends when the host does. Collective over all ranks of the launch.
 void begin_session(LAMMPS_NS::LAMMPS& host);
 
-// Ends every program of the launch with status 1.
-[[noreturn]] void abort_launch();
-
 }  // namespace gasgrain

@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "fix_cfd_coupling/fixes/host_error.h"
+
 namespace {
 
 MPI_Comm world_stand_in = MPI_COMM_NULL;

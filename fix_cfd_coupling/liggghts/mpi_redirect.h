@@ -20,7 +20,4 @@ void redirect_world_to(MPI_Comm local);
 // The one orderly end: finalizes MPI.
 void end_normally();
 
-// Ends every rank of both programs with status 1.
-[[noreturn]] void abort_launch();
-
 }  // namespace gasgrain

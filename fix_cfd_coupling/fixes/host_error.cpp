@@ -1,4 +1,3 @@
-// Errors of our styles in LAMMPS. Its own errors end the launch through plugin_session.cpp.
 #include "fix_cfd_coupling/fixes/host_error.h"
 
 #include <chrono>
@@ -7,7 +6,6 @@
 
 #include "fix_cfd_coupling/fixes/host_session.h"
 #include "fix_cfd_coupling/fixes/script_line.h"
-#include "fix_cfd_coupling/lammps/plugin_session.h"
 // --
 #include "lammps.h"
 
@@ -17,8 +15,8 @@ namespace {
 LAMMPS_NS::LAMMPS* the_host = nullptr;
 
 void print_message(const std::string& message) {
-  std::fprintf(stderr, "\ngasgrain-lammps: error: %s%s\n\n", script_place().c_str(),
-               with_fault(message).c_str());
+  std::fprintf(stderr, "\n%s: error: %s%s%s\n\n", program_name(), script_place().c_str(),
+               with_fault(message).c_str(), hint(message).c_str());
   std::fflush(nullptr);
 }
 
@@ -26,6 +24,10 @@ void print_message(const std::string& message) {
 
 void set_host(LAMMPS_NS::LAMMPS* host) {
   the_host = host;
+}
+
+LAMMPS_NS::LAMMPS* current_host() {
+  return the_host;
 }
 
 std::string script_place() {
