@@ -67,6 +67,27 @@ int main(int argc, char** argv) {
 }
 """
 
+# What the PLUGIN package does: hands the plugin a function that takes one style after the other.
+REGISTER = """\
+#include <dlfcn.h>
+#include <stdio.h>
+typedef struct { const char *version, *style, *name, *info, *author; void *creator, *handle; } plugin_t;
+void* lammps_open_no_mpi(int argc, char** argv, void** host);
+static void* the_host;
+static void take(plugin_t* p, void* host) {
+  printf("%s %s %s %d\\n", p->style, p->name, p->version, host == the_host && p->creator && p->handle);
+}
+int main(int argc, char** argv) {
+  char* words[] = {"other", "-screen", "none", "-log", "none"};
+  (void)argc;
+  the_host = lammps_open_no_mpi(5, words, 0);
+  void* plugin = dlopen(argv[1], RTLD_NOW | RTLD_GLOBAL);
+  if (!plugin) { fprintf(stderr, "%s\\n", dlerror()); return 7; }
+  ((void (*)(void*, void*, void*))dlsym(plugin, "lammpsplugin_init"))(the_host, plugin, take);
+  return 0;
+}
+"""
+
 
 class Launch(unittest.TestCase):
     def setUp(self):
@@ -132,12 +153,22 @@ class Launch(unittest.TestCase):
                                 "dump a all custom/vtk 1 p_*.vtk id x y z radius\nrun 0\n")
         self.assertEqual(status, 0, text)
 
-    def test_another_version_is_refused_with_the_one_it_needs(self):
-        program = self.folder / "other"
-        (self.folder / "other.c").write_text(OTHER_VERSION)
-        subprocess.run(["mpicc", "-rdynamic", "other.c", "-o", program, "-l:liblammps.so.0", "-ldl"],
+    def program(self, source):
+        """A program of LAMMPS's library, started with the plugin."""
+        (self.folder / "other.c").write_text(source)
+        subprocess.run(["mpicc", "-rdynamic", "other.c", "-o", "other", "-l:liblammps.so.0", "-ldl"],
                        cwd=self.folder, check=True)
-        text = self.fails(self.start([str(program), str(BIN / "gasgrain.so")]))
+        return self.start([str(self.folder / "other"), str(BIN / "gasgrain.so")])
+
+    def test_the_plugin_package_is_offered_every_style(self):
+        status, text = self.finish(self.program(REGISTER))
+        self.assertEqual(status, 0, text)
+        for style in ("pair gran/bridge", "fix couple/gas", "fix wall/gran/bridge", "fix liquid", "fix parcels",
+                      "fix parcels/inject", "fix exchange/bgk", "fix property/global", "compute pair/gran/local"):
+            self.assertIn(f"{style} 29 Sep 2021 1\n", text)
+
+    def test_another_version_is_refused_with_the_one_it_needs(self):
+        text = self.fails(self.program(OTHER_VERSION))
         self.assertIn("needs LAMMPS 29 Sep 2021", text)
         self.assertIn("version 20230802", text)
 

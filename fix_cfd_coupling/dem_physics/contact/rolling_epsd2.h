@@ -3,8 +3,8 @@
 //
 //   T += k_t R*^2 w_t dt, |T| <= mu_r R* |F_n|      M_i = -T       w_t as in rolling_epsd.h
 //
-// Source: C.M. Wensrich, A. Katterfeld, Powder Technol. 217 (2012)
-//   409.
+// Source: K. Iwashita, M. Oda, J. Eng. Mech. 124 (1998) 285, to whom LIGGGHTS's documentation (gran
+//   rolling_friction epsd2) ascribes it.
 // Inputs: mu_r [-]; T [N m] in the contact's history, odd under i <-> j. Output: torque on i [N m];
 //   on j the opposite one. Range: mu_r >= 0.
 // Word: torsionTorque off (on: w_t = w).
