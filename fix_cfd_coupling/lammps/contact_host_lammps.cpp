@@ -145,8 +145,7 @@ void LammpsContactHost::refuse_unfit_run() const {
 }
 
 void LammpsContactHost::warn(const std::string& text) const {
-  if (owner_.host->comm->me == 0)
-    owner_.host->error->warning(FLERR, text);
+  if (owner_.host->comm->me == 0) owner_.host->error->warning(FLERR, text);
 }
 void LammpsContactHost::warn_from_here(const std::string& text) const {
   owner_.host->error->warning(FLERR, text);

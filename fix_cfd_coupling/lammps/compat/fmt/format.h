@@ -1,6 +1,6 @@
-// Stands before the system's fmt for files that include the host's headers: these name a function of
-// the older fmt that the host carries inside. What would call it cannot be linked (the types differ),
-// and is refused here: give the host's functions a std::string.
+// Stands before the system's fmt for files that include the host's headers: these name a function
+// of the older fmt that the host carries inside. What would call it cannot be linked (the types
+// differ), and is refused here: give the host's functions a std::string.
 #pragma once
 
 #include_next <fmt/format.h>
