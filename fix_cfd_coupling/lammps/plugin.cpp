@@ -113,8 +113,7 @@ void refuse_other_versions(void* host) {
     gasgrain::set_host(nullptr);  // what is where in it is not known
     gasgrain::stop_everything_from_here(
         fmt::format("this gasgrain.so needs LAMMPS {}, version {}; the program that loads it is "
-                    "version {}. Use "
-                    "that one, or build gasgrain on a machine with the other.",
+                    "version {}. Use the first, or build gasgrain where the other is installed.",
                     GASGRAIN_LAMMPS_VERSION_TEXT, GASGRAIN_LAMMPS_VERSION, version));
   }
 }

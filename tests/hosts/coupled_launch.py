@@ -15,6 +15,7 @@ import time
 from pathlib import Path
 
 from host_words import HOST, command_of, in_words_of
+from jet_gas import GAS
 
 BIN = Path(sys.argv.pop(1) if len(sys.argv) > 1 else "build").resolve()
 SOURCE = Path(__file__).resolve().parents[2]
@@ -58,31 +59,6 @@ thermo_modify lost error norm no
 run @steps@
 """
 COUPLE = "fix gas all couple/gas every 25 output @out@ void_fraction trilinear drag koch_hill pressure_gradient"
-
-GAS = """\
-[grid]
-lo = [0.0, 0.0, 0.0]
-hi = [0.022, 0.022, 0.11]
-cells = [4, 4, 20]
-[time]
-step = 1e-3
-courant_max = 10
-[boundary]
-z_hi = "outlet"
-[solver]
-tolerance = 1e-10
-[[inflow]]
-side = "z_lo"
-shape = "rectangle"
-center = [0.011, 0.011]
-size = [5.5e-3, 5.5e-3]
-velocity = @jet@
-ramp = 0.002
-[output]
-every = 0.01
-pressure_probes = [0.01]
-"""
-
 
 def filled(text, marks):
     for mark, value in marks.items():

@@ -12,34 +12,13 @@ from pathlib import Path
 
 import numpy as np
 
+from jet_gas import GAS
+
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "exchange_model"))
 from parcel_scripts import Atom, Scene, cloud, dump, thermo  # noqa: E402
 
 HOSTS = ("liggghts", "lammps")
 
-GAS = """\
-[grid]
-lo = [0.0, 0.0, 0.0]
-hi = [0.022, 0.022, 0.11]
-cells = [4, 4, 20]
-[time]
-step = 1e-3
-courant_max = 10
-[boundary]
-z_hi = "outlet"
-[solver]
-tolerance = 1e-10
-[[inflow]]
-side = "z_lo"
-shape = "rectangle"
-center = [0.011, 0.011]
-size = [5.5e-3, 5.5e-3]
-velocity = 45.0
-ramp = 0.002
-[output]
-every = 0.01
-pressure_probes = [0.01]
-"""
 EFFECTS = ("void_fraction trilinear drag koch_hill pressure_gradient viscous_stress virtual_mass saffman_mei magnus "
            "rotation_torque")
 
@@ -70,7 +49,7 @@ class GrainsInGas(unittest.TestCase):
 
     def fly(self, host, ranks, gas, steps):
         with Scene(self.SIZE, self.grains()) as scene:
-            (scene.folder / "gas.toml").write_text(GAS)
+            (scene.folder / "gas.toml").write_text(GAS.replace("@jet@", "45.0"))
             inside = "" if gas else "gas gas.toml"
             scene.run("timestep 2e-5\n"
                       "fix g all gravity 9.81 vector 0 0 -1\nfix m all nve/sphere\n"

@@ -6,8 +6,7 @@
 // Inputs: mu_r [-]. Output: torque on i [N m]; on j the opposite one. Range: mu_r >= 0.
 // Word: torsionTorque off (on: the part along n stays).
 // Deviations: none from LIGGGHTS's `rolling_friction cdt`: the elastic part of F_n alone counts,
-// and
-//   w keeps its part along n where it is normed.
+//   and w keeps its part along n where it is normed.
 #pragma once
 
 #include "fix_cfd_coupling/dem_physics/contact/rolling_resistance.h"

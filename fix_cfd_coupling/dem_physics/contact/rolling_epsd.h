@@ -6,9 +6,8 @@
 //   M_i = -T - C_r w_t where |T| is below the limit, else -T      C_r = 2 eta_r sqrt(I_r k_r)
 //   I_r = 7/5 of m_i R_i^2 m_j R_j^2 / (m_i R_i^2 + m_j R_j^2); at a wall 7/5 m_i R_i^2
 //
-// Source: K. Iwashita, M. Oda, J. Eng. Mech. 124 (1998) 285; J. Ai et al., Powder Technol. 206
-// (2011)
-//   269, model C.
+// Source: K. Iwashita, M. Oda, J. Eng. Mech. 124 (1998) 285; J. Ai et al., Powder
+//   Technol. 206 (2011) 269, model C.
 // Inputs: mu_r, eta_r [-]; T [N m] in the contact's history, odd under i <-> j. Output: torque on i
 //   [N m]; on j the opposite one. Range: mu_r, eta_r >= 0.
 // Word: torsionTorque off (on: w_t = w). Assumes three dimensions.

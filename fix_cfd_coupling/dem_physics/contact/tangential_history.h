@@ -5,9 +5,8 @@
 //   F_t = -k_t s - gamma_t v_t           where k_t |s| <= mu |F_n|
 //   F_t = -mu |F_n| s / |s|, s = -F_t / k_t   where it slides
 //
-// Source: P.A. Cundall, O.D.L. Strack, Geotechnique 29 (1979) 47; with Hertz's contact k_t is that
-// of
-//   Mindlin without rescaling of s when k_t changes.
+// Source: P.A. Cundall, O.D.L. Strack, Geotechnique 29 (1979) 47; with Hertz's contact k_t is
+//   that of Mindlin without rescaling of s when k_t changes.
 // Inputs: mu friction [-]; s [m] in the contact's history, odd under i <-> j. Output: force on i
 // [N]. Range: mu >= 0. Deviations: none from LIGGGHTS's `tangential history`: lever arms end at the
 // middle of the overlap,
