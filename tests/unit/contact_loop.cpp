@@ -70,7 +70,7 @@ class Pair {
 
   explicit Pair(double overlap) {
     x[1][0] = radius[0] + radius[1] - overlap;
-    laws().places = {3, 3, 3};
+    laws().places = {0, 3, 3, 3, 3};
     Scene scene;
     laws().normal.connect(scene);
     laws().tangential.connect(scene);

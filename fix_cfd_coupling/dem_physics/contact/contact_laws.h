@@ -21,9 +21,10 @@ struct Push {
   Triple force_i, torque_i, torque_j, force_j;
 };
 
-// The rows of a contact's history: friction's values, those of rolling, of cohesion.
+// Where each law's values begin in a row of a contact's history: friction's, then those of rolling
+// up to touch_end; cohesion's after or before them.
 struct HistoryPlaces {
-  int rolling = 0, cohesion = 0, width = 0;
+  int tangential = 0, rolling = 0, touch_end = 0, cohesion = 0, width = 0;
 };
 
 template <class Normal, class Tangential, class Rolling, class Cohesion>
@@ -53,7 +54,7 @@ class ContactLaws {
       cohesion.touching(view, forces);
       touch.normal_force = view.Fn;
     }
-    const Triple friction = tangential.touching(touch, row);
+    const Triple friction = tangential.touching(touch, row + places.tangential);
     const Triple twist = cross(friction, touch.normal);
     const Triple force = along + friction;
     if constexpr (has_cohesion) {
@@ -95,7 +96,7 @@ class ContactLaws {
 
   // What friction and rolling remember ends when the bodies part.
   void forget_touch(double* row) const {
-    for (int n = 0; n < places.cohesion; ++n) row[n] = 0.0;
+    for (int n = places.tangential; n < places.touch_end; ++n) row[n] = 0.0;
   }
 
  private:

@@ -29,6 +29,8 @@ class ContactStack {
 
   // Of a row of the history, in its order.
   [[nodiscard]] virtual std::vector<HistoryValue> history() const = 0;
+  // Before connect(): cohesion's values come first in the rows, as LIGGGHTS has them, not last.
+  virtual void put_cohesion_first() = 0;
   virtual void words(LawWords& words) = 0;
   virtual void connect(const StackName& name, const HostOfLaw& host_of) = 0;
   virtual void set_reach(const Reach& reach) = 0;
@@ -49,19 +51,18 @@ class CompiledStack final : public ContactStack {
   using Laws = ContactLaws<Normal, Tangential, Rolling, Cohesion>;
 
  public:
-  explicit CompiledStack(bool of_wall) : of_wall_(of_wall) {
-    loop_.laws.places.rolling = static_cast<int>(Tangential::history().size());
-    loop_.laws.places.cohesion =
-        loop_.laws.places.rolling + static_cast<int>(Rolling::history(of_wall).size());
-    loop_.laws.places.width =
-        loop_.laws.places.cohesion + static_cast<int>(Cohesion::history(of_wall).size());
-  }
+  explicit CompiledStack(bool of_wall) : of_wall_(of_wall) { arrange(0); }
 
   [[nodiscard]] std::vector<HistoryValue> history() const override {
     std::vector<HistoryValue> all = Tangential::history();
     for (const auto& value : Rolling::history(of_wall_)) all.push_back(value);
-    for (const auto& value : Cohesion::history(of_wall_)) all.push_back(value);
+    const auto of_cohesion = Cohesion::history(of_wall_);
+    const auto place = loop_.laws.places.cohesion == 0 ? all.begin() : all.end();
+    all.insert(place, of_cohesion.begin(), of_cohesion.end());
     return all;
+  }
+  void put_cohesion_first() override {
+    arrange(static_cast<int>(Cohesion::history(of_wall_).size()));
   }
   void words(LawWords& words) override {
     loop_.laws.normal.words(words);
@@ -72,13 +73,13 @@ class CompiledStack final : public ContactStack {
   void connect(const StackName& name, const HostOfLaw& host_of) override {
     Laws& laws = loop_.laws;
     laws.normal.connect(host_of("model " + name.normal, -1));
-    laws.tangential.connect(host_of("tangential " + name.tangential, 0));
+    laws.tangential.connect(host_of("tangential " + name.tangential, laws.places.tangential));
     if (Laws::has_rolling)
       laws.rolling.connect(host_of("rolling_friction " + name.rolling, laws.places.rolling));
     if (Laws::has_cohesion)
-      laws.cohesion.connect(
-          host_of("cohesion " + name.cohesion,
-                  laws.places.cohesion < laws.places.width ? laws.places.cohesion : -1));
+      laws.cohesion.connect(host_of("cohesion " + name.cohesion, Cohesion::history(of_wall_).empty()
+                                                                     ? -1
+                                                                     : laws.places.cohesion));
   }
   void set_reach(const Reach& reach) override { loop_.reach = reach; }
   [[nodiscard]] bool has_cohesion() const override { return Laws::has_cohesion; }
@@ -98,6 +99,16 @@ class CompiledStack final : public ContactStack {
   }
 
  private:
+  void arrange(int tangential) {
+    HistoryPlaces& places = loop_.laws.places;
+    places.tangential = tangential;
+    places.rolling = tangential + static_cast<int>(Tangential::history().size());
+    places.touch_end = places.rolling + static_cast<int>(Rolling::history(of_wall_).size());
+    const int of_cohesion = static_cast<int>(Cohesion::history(of_wall_).size());
+    places.cohesion = tangential == of_cohesion ? 0 : places.touch_end;
+    places.width = places.touch_end - tangential + of_cohesion;
+  }
+
   ContactLoop<Laws> loop_;
   bool of_wall_;
 };
