@@ -27,13 +27,24 @@ struct HistoryPlaces {
   int tangential = 0, rolling = 0, touch_end = 0, cohesion = 0, width = 0;
 };
 
+// Whether a normal law has prepare(R*, m*, types): what of it is found for one contact at a time.
+template <class Normal, class = void>
+inline constexpr bool prepares = false;
+template <class Normal>
+inline constexpr bool prepares<Normal, std::void_t<decltype(&Normal::prepare)>> = true;
+
 template <class Normal, class Tangential, class Rolling, class Cohesion>
 class ContactLaws {
  public:
   static constexpr bool has_rolling = !std::is_same_v<Rolling, RollingOff>;
   static constexpr bool has_cohesion = !std::is_same_v<Cohesion, CohesionOff>;
   static constexpr bool levers_are_radii = Tangential::levers_are_radii;
-  static constexpr bool remembers_touch = Tangential::remembers;
+  // Values of friction and rolling.
+  static constexpr int remembered = Tangential::remembers + Rolling::remembers;
+  // Whether several contacts can be computed at once.
+  static constexpr bool fit_lanes =
+      !has_cohesion && (!has_rolling || std::is_base_of_v<RollingResistance, Rolling>);
+  static constexpr bool remembers_touch = Tangential::remembers > 0;
 
   Normal normal;
   Tangential tangential;
@@ -46,6 +57,8 @@ class ContactLaws {
   [[gnu::always_inline]] inline void touching(Touch& touch, const Triple& velocity,
                                               ContactView& view, double* row, Push& push) {
     find_motion<levers_are_radii>(touch, velocity);
+    if constexpr (prepares<Normal>)
+      touch.prepared = normal.prepare(touch.reduced_radius, touch.reduced_mass, touch.types);
     normal.touching(touch);
     const Triple along = touch.normal_force * touch.normal;
     [[maybe_unused]] const ContactForces forces = forces_of(push);
@@ -82,6 +95,28 @@ class ContactLaws {
     }
   }
 
+  // Several pairs of grains of the same two types at once, Real being Lanes (lanes.h), for laws
+  // that need no view. `stored` are friction's values and those of rolling.
+  template <class Real>
+  [[gnu::always_inline]] inline void touching_in_lanes(TouchOf<Real>& touch,
+                                                       const TripleOf<Real>& velocity, Real* stored,
+                                                       TripleOf<Real>& force,
+                                                       TripleOf<Real>& torque_i,
+                                                       TripleOf<Real>& torque_j) const {
+    find_motion<levers_are_radii>(touch, velocity);
+    normal.touching(touch);
+    const TripleOf<Real> friction = tangential.touching(touch, stored);
+    const TripleOf<Real> twist = cross(friction, touch.normal);
+    force = touch.normal_force * touch.normal + friction;
+    torque_i = touch.lever_i * twist;
+    torque_j = touch.lever_j * twist;
+    if constexpr (has_rolling) {
+      const TripleOf<Real> resistance = rolling.torque(touch, stored + Tangential::remembers);
+      torque_i += resistance;
+      torque_j -= resistance;
+    }
+  }
+
   // Bodies that are apart; whether a force acts.
   bool apart(ContactView& view, double* row, Push& push) {
     if constexpr (has_cohesion) {
@@ -95,7 +130,7 @@ class ContactLaws {
   }
 
   // What friction and rolling remember ends when the bodies part.
-  void forget_touch(double* row) const {
+  [[gnu::always_inline]] inline void forget_touch(double* row) const {
     for (int n = places.tangential; n < places.touch_end; ++n) row[n] = 0.0;
   }
 

@@ -8,7 +8,9 @@
 #include <tuple>
 #include <vector>
 
+#include "fix_cfd_coupling/dem_physics/contact/batch_loop.h"
 #include "fix_cfd_coupling/dem_physics/contact/contact_loop.h"
+#include "fix_cfd_coupling/dem_physics/contact/instruction_set.h"
 
 namespace gasgrain::contact {
 
@@ -34,6 +36,9 @@ class ContactStack {
   virtual void words(LawWords& words) = 0;
   virtual void connect(const StackName& name, const HostOfLaw& host_of) = 0;
   virtual void set_reach(const Reach& reach) = 0;
+  // Of pairs(); that of the machine unless said. Portable where the laws do not fit lanes.
+  virtual void set_instructions(InstructionSet set) = 0;
+  [[nodiscard]] virtual InstructionSet instructions() const = 0;
   [[nodiscard]] virtual bool has_cohesion() const = 0;
 
   virtual void begin_pass() = 0;
@@ -51,7 +56,10 @@ class CompiledStack final : public ContactStack {
   using Laws = ContactLaws<Normal, Tangential, Rolling, Cohesion>;
 
  public:
-  explicit CompiledStack(bool of_wall) : of_wall_(of_wall) { arrange(0); }
+  explicit CompiledStack(bool of_wall) : of_wall_(of_wall) {
+    arrange(0);
+    CompiledStack::set_instructions(chosen_instruction_set());
+  }
 
   [[nodiscard]] std::vector<HistoryValue> history() const override {
     std::vector<HistoryValue> all = Tangential::history();
@@ -87,7 +95,26 @@ class CompiledStack final : public ContactStack {
   void begin_pass() override { loop_.laws.cohesion.begin_pass(); }
   void pairs(const Grains& grains, const NeighbourList& list, const ContactRows& rows,
              ContactObserver* observer) override {
+#ifdef GASGRAIN_LANES
+    if constexpr (Laws::fit_lanes) {
+      if (instructions_ != InstructionSet::portable) {
+        const int types = loop_.laws.tangential.types();
+        store_.make_place(grains.all, loop_.laws.tangential.place(types, types) + 1);
+        if (instructions_ == InstructionSet::avx512)
+          pairs_in_lanes<Avx512>(loop_.laws, store_, grains, list, rows, observer);
+        else
+          pairs_in_lanes<Avx2>(loop_.laws, store_, grains, list, rows, observer);
+        return;
+      }
+    }
+#endif
     loop_.pairs(grains, list, rows, observer);
+  }
+  void set_instructions(InstructionSet set) override {
+    if (Laws::fit_lanes) instructions_ = set;
+  }
+  [[nodiscard]] InstructionSet instructions() const override {
+    return instructions_;
   }
   void wall(const Grains& grains, const WallNeighbours& near, const PrimitiveWall& shape, int type,
             ContactObserver* observer) override {
@@ -110,6 +137,8 @@ class CompiledStack final : public ContactStack {
   }
 
   ContactLoop<Laws> loop_;
+  BatchStore store_;
+  InstructionSet instructions_ = InstructionSet::portable;
   bool of_wall_;
 };
 

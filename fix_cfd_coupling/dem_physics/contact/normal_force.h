@@ -6,10 +6,10 @@
 
 namespace gasgrain::contact {
 
-inline void set_normal_force(Touch& touch, bool never_pulls) {
-  const double force =
-      touch.normal_stiffness * touch.overlap - touch.normal_damping * touch.parting;
-  touch.normal_force = never_pulls && force < 0.0 ? 0.0 : force;
+template <class Real>
+[[gnu::always_inline]] inline void set_normal_force(TouchOf<Real>& touch, bool never_pulls) {
+  const Real force = touch.normal_stiffness * touch.overlap - touch.normal_damping * touch.parting;
+  touch.normal_force = never_pulls ? select(force < 0.0, Real(0.0), force) : force;
 }
 
 }  // namespace gasgrain::contact

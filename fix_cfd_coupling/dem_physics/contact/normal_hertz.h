@@ -47,12 +47,14 @@ class NormalHertz {
     });
   }
 
-  [[gnu::always_inline]] inline void touching(Touch& touch) const {
+  template <class Real>
+  [[gnu::always_inline]] inline void touching(TouchOf<Real>& touch) const {
+    using std::sqrt;
     const Pair& pair = pairs_[touch.types];
-    const double patch = std::sqrt(touch.reduced_radius * touch.overlap);  // radius of contact
+    const Real patch = sqrt(touch.reduced_radius * touch.overlap);  // radius of contact
     touch.normal_stiffness = pair.stiffness * patch;
     touch.tangential_stiffness = pair.shear_stiffness * patch;
-    touch.normal_damping = pair.damping * std::sqrt(patch * touch.reduced_mass);
+    touch.normal_damping = pair.damping * sqrt(patch * touch.reduced_mass);
     touch.tangential_damping = pair.shear_of_damping * touch.normal_damping;
     set_normal_force(touch, never_pulls_);
   }

@@ -49,10 +49,12 @@ class NormalHertzStiffness {
                              {"gammat", "1/(m s)"}, tangential_damping_);
   }
 
-  [[gnu::always_inline]] inline void touching(Touch& touch) const {
+  template <class Real>
+  [[gnu::always_inline]] inline void touching(TouchOf<Real>& touch) const {
+    using std::sqrt;
     const StiffnessPair& pair = pairs_[touch.types];
-    const double patch = std::sqrt(touch.reduced_radius * touch.overlap);
-    const double mass = patch * touch.reduced_mass;
+    const Real patch = sqrt(touch.reduced_radius * touch.overlap);
+    const Real mass = patch * touch.reduced_mass;
     touch.normal_stiffness = patch * pair.normal;
     touch.tangential_stiffness = patch * pair.tangential;
     touch.normal_damping = mass * pair.normal_damping;

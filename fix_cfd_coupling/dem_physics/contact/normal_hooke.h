@@ -42,6 +42,7 @@ class NormalHooke {
     const auto e =
         pairs_in(host, viscous_ ? properties::greatest_restitution : properties::restitution);
     speed_ = scalar_in(host, properties::speed);
+    last_radius_ = -1.0;  // what was found before goes by other properties
     pairs_ = table_of(host.types(), [&](int i, int j) {
       return Pair{effective_modulus(youngs[i], poisson[i], youngs[j], poisson[j]),
                   std::log(e(i, j)), 0.0, 0.0};
@@ -56,44 +57,47 @@ class NormalHooke {
       }
   }
 
-  [[gnu::always_inline]] inline void touching(Touch& touch) {
+  // k_n: the power is most of this law's cost, and contact after contact is of equal spheres.
+  [[gnu::always_inline]] inline double prepare(double reduced_radius, double reduced_mass,
+                                               std::size_t types) {
+    if (reduced_radius != last_radius_ || reduced_mass != last_mass_ || types != last_types_) {
+      last_radius_ = reduced_radius;
+      last_mass_ = reduced_mass;
+      last_types_ = types;
+      find_stiffness();
+    }
+    return last_stiffness_;
+  }
+  template <class Real>
+  [[gnu::always_inline]] inline void touching(TouchOf<Real>& touch) const {
+    using std::sqrt;
     const Pair& pair = pairs_[touch.types];
-    touch.normal_stiffness = stiffness(touch, pair.modulus);
+    touch.normal_stiffness = touch.prepared;
     touch.tangential_stiffness = touch.normal_stiffness * (softer_shear_ ? 0.285714286 : 1.0);
-    double log_e = pair.log_restitution;
+    Real log_e = pair.log_restitution;
     if (viscous_) {
-      const double stokes =
-          touch.reduced_mass * touch.parting /
-          (6.0 * pi * pair.viscosity * touch.reduced_radius * touch.reduced_radius);
-      log_e += pair.stokes_c / stokes;
+      const Real stokes = touch.reduced_mass * touch.parting /
+                          (6.0 * pi * pair.viscosity * touch.reduced_radius * touch.reduced_radius);
+      log_e = log_e + pair.stokes_c / stokes;
     }
     // Written so that it stays finite where L is 0 (e = 1) or infinite (v_n = 0 of `viscous`).
-    const double ratio = pi / log_e;
+    const Real ratio = pi / log_e;
     touch.normal_damping =
-        std::sqrt(4.0 * touch.reduced_mass * touch.normal_stiffness / (1.0 + ratio * ratio));
-    touch.tangential_damping = tangential_damping_ ? touch.normal_damping : 0.0;
+        sqrt(4.0 * touch.reduced_mass * touch.normal_stiffness / (1.0 + ratio * ratio));
+    touch.tangential_damping = tangential_damping_ ? touch.normal_damping : Real(0.0);
     set_normal_force(touch, never_pulls_);
   }
 
  private:
-  // The power is most of this law's cost, and contact after contact is of equal spheres.
-  double stiffness(const Touch& touch, double modulus) {
-    if (touch.reduced_radius != last_radius_ || touch.reduced_mass != last_mass_ ||
-        modulus != last_modulus_) {
-      last_radius_ = touch.reduced_radius;
-      last_mass_ = touch.reduced_mass;
-      last_modulus_ = modulus;
-      last_stiffness_ = hooke_stiffness(modulus, last_radius_, last_mass_, speed_);
-    }
-    return last_stiffness_;
-  }
+  void find_stiffness();
   bool tangential_damping_ = true;
   bool never_pulls_ = false;
   bool viscous_ = false;
   bool softer_shear_ = false;
   double speed_ = 0.0;  // V
   PairTable<Pair> pairs_;
-  double last_radius_ = -1.0, last_mass_ = -1.0, last_modulus_ = -1.0, last_stiffness_ = 0.0;
+  double last_radius_ = -1.0, last_mass_ = -1.0, last_stiffness_ = 0.0;
+  std::size_t last_types_ = 0;
 };
 
 }  // namespace gasgrain::contact

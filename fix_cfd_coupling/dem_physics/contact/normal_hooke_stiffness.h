@@ -34,9 +34,10 @@ class NormalHookeStiffness {
                              tangential_damping_);
   }
 
-  [[gnu::always_inline]] inline void touching(Touch& touch) const {
+  template <class Real>
+  [[gnu::always_inline]] inline void touching(TouchOf<Real>& touch) const {
     const StiffnessPair& pair = pairs_[touch.types];
-    const double mass = absolute_damping_ ? 1.0 : touch.reduced_mass;
+    const Real mass = absolute_damping_ ? Real(1.0) : touch.reduced_mass;
     touch.normal_stiffness = pair.normal;
     touch.tangential_stiffness = pair.tangential;
     touch.normal_damping = mass * pair.normal_damping;

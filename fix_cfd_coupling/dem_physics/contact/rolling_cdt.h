@@ -17,13 +17,16 @@ class RollingCdt : public RollingResistance {
  public:
   static constexpr const char* name = "cdt";
 
-  [[gnu::always_inline]] inline Triple torque(const Touch& touch, double* /*stored*/) const {
-    const Triple turning = turning_of(touch);
-    const double rate = turning.norm();
-    if (!(rate > 0.0)) return Triple{};
-    const double size =
-        friction(touch) * touch.normal_stiffness * touch.overlap * touch.reduced_radius / rate;
-    const Triple torque = -size * turning;
+  template <class Real>
+  [[gnu::always_inline]] inline TripleOf<Real> torque(const TouchOf<Real>& touch,
+                                                      Real* /*stored*/) const {
+    const TripleOf<Real> turning = turning_of(touch);
+    const Real rate = turning.norm();
+    const Real size = select(
+        rate > 0.0,
+        friction(touch) * touch.normal_stiffness * touch.overlap * touch.reduced_radius / rate,
+        Real(0.0));
+    const TripleOf<Real> torque = -size * turning;
     return torsion_ ? torque : across(torque, touch.normal);
   }
 };

@@ -19,18 +19,21 @@
 namespace gasgrain::contact {
 
 // The spring's torque after this step, at most `limit` [N m]; true where it is below.
-inline bool wind_up(const Touch& touch, double stiffness, const Triple& turning, double limit,
-                    const double* stored, Triple& torque) {
-  torque = Triple::of(stored) + touch.step * stiffness * turning;
-  const double size = torque.norm();
-  if (!(size > limit)) return true;
-  torque *= limit / size;
-  return false;
+template <class Real>
+[[gnu::always_inline]] inline auto wind_up(const TouchOf<Real>& touch, const Real& stiffness,
+                                           const TripleOf<Real>& turning, const Real& limit,
+                                           const Real* stored, TripleOf<Real>& torque) {
+  torque = TripleOf<Real>::of(stored) + touch.step * stiffness * turning;
+  const Real size = torque.norm();
+  const auto slips = size > limit;
+  torque *= select(slips, limit / size, Real(1.0));
+  return !slips;
 }
 
 class RollingEpsd : public RollingResistance {
  public:
   static constexpr const char* name = "epsd";
+  static constexpr int remembers = 3;
   static std::vector<HistoryValue> history(bool /*of_wall*/) { return torque_history(); }
 
   void connect(ContactHost& host) {
@@ -38,24 +41,28 @@ class RollingEpsd : public RollingResistance {
     damping_ = pairs_in(host, properties::rolling_damping);
   }
 
-  [[gnu::always_inline]] inline Triple torque(const Touch& touch, double* stored) const {
-    const double lever = friction(touch) * touch.reduced_radius;
-    const double stiffness = 2.25 * touch.normal_stiffness * lever * lever;
-    const Triple turning = rolling(touch);
-    Triple torque;
-    const bool holds =
-        wind_up(touch, stiffness, turning, lever * std::abs(touch.normal_force), stored, torque);
+  template <class Real>
+  [[gnu::always_inline]] inline TripleOf<Real> torque(const TouchOf<Real>& touch,
+                                                      Real* stored) const {
+    using std::abs, std::sqrt;
+    const Real lever = friction(touch) * touch.reduced_radius;
+    const Real stiffness = 2.25 * touch.normal_stiffness * lever * lever;
+    const TripleOf<Real> turning = rolling(touch);
+    TripleOf<Real> torque;
+    const auto holds =
+        wind_up<Real>(touch, stiffness, turning, lever * abs(touch.normal_force), stored, torque);
     if (touch.updates) torque.store(stored);
-    if (holds)
-      torque += damping_[touch.types] * 2.0 * std::sqrt(inertia(touch) * stiffness) * turning;
+    const Real dashpot = 2.0 * damping_[touch.types] * sqrt(inertia(touch) * stiffness);
+    torque += select(holds, dashpot, Real(0.0)) * turning;
     return -torque;
   }
 
  private:
-  static double inertia(const Touch& touch) {
-    const double of_i = touch.mass_i * touch.radius_i * touch.radius_i;
+  template <class Real>
+  [[gnu::always_inline]] static inline Real inertia(const TouchOf<Real>& touch) {
+    const Real of_i = touch.mass_i * touch.radius_i * touch.radius_i;
     if (touch.is_wall) return 1.4 * of_i;
-    const double of_j = touch.mass_j * touch.radius_j * touch.radius_j;
+    const Real of_j = touch.mass_j * touch.radius_j * touch.radius_j;
     return 1.4 * of_i * of_j / (of_i + of_j);
   }
   PairTable<double> damping_;  // eta_r

@@ -18,14 +18,18 @@ namespace gasgrain::contact {
 class RollingEpsd2 : public RollingResistance {
  public:
   static constexpr const char* name = "epsd2";
+  static constexpr int remembers = 3;
   static std::vector<HistoryValue> history(bool /*of_wall*/) { return torque_history(); }
 
-  [[gnu::always_inline]] inline Triple torque(const Touch& touch, double* stored) const {
-    const double radius = touch.reduced_radius;
-    const Triple turning = rolling(touch);
-    Triple torque;
-    wind_up(touch, touch.tangential_stiffness * radius * radius, turning,
-            friction(touch) * radius * std::abs(touch.normal_force), stored, torque);
+  template <class Real>
+  [[gnu::always_inline]] inline TripleOf<Real> torque(const TouchOf<Real>& touch,
+                                                      Real* stored) const {
+    using std::abs;
+    const Real radius = touch.reduced_radius;
+    const TripleOf<Real> turning = rolling(touch);
+    TripleOf<Real> torque;
+    wind_up<Real>(touch, touch.tangential_stiffness * radius * radius, turning,
+                  friction(touch) * radius * abs(touch.normal_force), stored, torque);
     if (touch.updates) torque.store(stored);
     return -torque;
   }

@@ -14,6 +14,7 @@ namespace gasgrain::contact {
 class RollingLaw {
  public:
   static std::vector<HistoryValue> history(bool /*of_wall*/) { return {}; }
+  static constexpr int remembers = 0;  // how many values its history has
   void words(LawWords&) {}
   void apart(ContactView&, const ContactForces&) {}
 };

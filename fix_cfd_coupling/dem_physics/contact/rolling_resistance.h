@@ -9,12 +9,15 @@
 
 namespace gasgrain::contact {
 
-inline Triple turning_of(const Touch& touch) {
+template <class Real>
+[[gnu::always_inline]] inline TripleOf<Real> turning_of(const TouchOf<Real>& touch) {
   if (touch.is_wall) return touch.lever_i / touch.distance * touch.spin_i;
   return touch.spin_i - touch.spin_j;
 }
 
-inline Triple across(const Triple& vector, const Triple& normal) {
+template <class Real>
+[[gnu::always_inline]] inline TripleOf<Real> across(const TripleOf<Real>& vector,
+                                                    const TripleOf<Real>& normal) {
   return vector - vector.dot(normal) * normal;
 }
 
@@ -24,9 +27,14 @@ class RollingResistance : public RollingLaw {
   void connect(ContactHost& host) { friction_ = pairs_in(host, properties::rolling_friction); }
 
  protected:
-  [[nodiscard]] double friction(const Touch& touch) const { return friction_[touch.types]; }
-  [[nodiscard]] Triple rolling(const Touch& touch) const {
-    const Triple turning = turning_of(touch);
+  template <class Real>
+  [[nodiscard]] [[gnu::always_inline]] inline double friction(const TouchOf<Real>& touch) const {
+    return friction_[touch.types];
+  }
+  template <class Real>
+  [[nodiscard]] [[gnu::always_inline]] inline TripleOf<Real> rolling(
+      const TouchOf<Real>& touch) const {
+    const TripleOf<Real> turning = turning_of(touch);
     return torsion_ ? turning : across(turning, touch.normal);
   }
   bool torsion_ = false;

@@ -19,21 +19,25 @@ namespace gasgrain::contact {
 class TangentialDampedHistory : public TangentialLaw {
  public:
   static constexpr const char* name = "damped_history";
-  static constexpr bool remembers = true;
+  static constexpr int remembers = 3;
   static std::vector<HistoryValue> history() { return shear_history(); }
   static constexpr bool levers_are_radii = true;
 
-  [[gnu::always_inline]] inline Triple touching(const Touch& touch, double* stored) const {
-    Triple slip = follow_slip(touch, stored);
-    const Triple dashpot = touch.tangential_damping * touch.slip;
-    Triple force = -touch.tangential_stiffness * slip - dashpot;
-    const double size = force.norm();
-    const double most = limit(touch);
+  template <class Real>
+  [[gnu::always_inline]] inline TripleOf<Real> touching(const TouchOf<Real>& touch,
+                                                        Real* stored) const {
+    const TripleOf<Real> slip = follow_slip(touch, stored);
+    const TripleOf<Real> dashpot = touch.tangential_damping * touch.slip;
+    TripleOf<Real> force = -touch.tangential_stiffness * slip - dashpot;
+    const Real size = force.norm();
+    const Real most = limit(touch);
     store_slip(touch, slip, stored);
-    if (!(size > most)) return force;
-    if (slip.is_zero()) return Triple{};
-    force *= most / size;
-    ((1.0 / touch.tangential_stiffness) * (-force - dashpot)).store(stored);
+    const auto slides = size > most;
+    if (!any(slides)) return force;
+    const auto new_slip = slip.is_zero();  // nothing to go by: neither force nor spring
+    force *= select(slides, select(new_slip, Real(0.0), most / size), Real(1.0));
+    const TripleOf<Real> held = (1.0 / touch.tangential_stiffness) * (-force - dashpot);
+    select(slides & !new_slip, held, TripleOf<Real>::of(stored)).store(stored);
     return force;
   }
 };

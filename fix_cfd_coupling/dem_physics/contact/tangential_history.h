@@ -18,8 +18,10 @@
 namespace gasgrain::contact {
 
 // The slip of a contact over this step, in the plane in which the spheres touch now.
-inline Triple follow_slip(const Touch& touch, const double* stored) {
-  Triple slip = Triple::of(stored);
+template <class Real>
+[[gnu::always_inline]] inline TripleOf<Real> follow_slip(const TouchOf<Real>& touch,
+                                                         const Real* stored) {
+  auto slip = TripleOf<Real>::of(stored);
   if (!touch.updates) return slip;
   slip += touch.step * touch.slip;
   return slip - slip.dot(touch.normal) * touch.normal;
@@ -29,7 +31,9 @@ inline std::vector<HistoryValue> shear_history() {
   return {{"shearx", true}, {"sheary", true}, {"shearz", true}};
 }
 
-inline void store_slip(const Touch& touch, const Triple& slip, double* stored) {
+template <class Real>
+[[gnu::always_inline]] inline void store_slip(const TouchOf<Real>& touch,
+                                              const TripleOf<Real>& slip, Real* stored) {
   if (!touch.updates) return;
   slip.store(stored);
 }
@@ -37,21 +41,23 @@ inline void store_slip(const Touch& touch, const Triple& slip, double* stored) {
 class TangentialHistory : public TangentialLaw {
  public:
   static constexpr const char* name = "history";
-  static constexpr bool remembers = true;
+  static constexpr int remembers = 3;
   static std::vector<HistoryValue> history() { return shear_history(); }
 
-  [[gnu::always_inline]] inline Triple touching(const Touch& touch, double* stored) const {
-    Triple slip = follow_slip(touch, stored);
-    const double elastic = touch.tangential_stiffness * slip.norm();
-    const double most = limit(touch);
-    Triple force = -touch.tangential_stiffness * slip;
-    if (elastic > most) {
-      const double share = most / elastic;
+  template <class Real>
+  [[gnu::always_inline]] inline TripleOf<Real> touching(const TouchOf<Real>& touch,
+                                                        Real* stored) const {
+    TripleOf<Real> slip = follow_slip(touch, stored);
+    const Real elastic = touch.tangential_stiffness * slip.norm();
+    const Real most = limit(touch);
+    TripleOf<Real> force = -touch.tangential_stiffness * slip;
+    const auto slides = elastic > most;
+    if (any(slides)) {
+      const Real share = select(slides, most / elastic, Real(1.0));
       force *= share;
       slip *= share;
-    } else {
-      force -= touch.tangential_damping * touch.slip;
     }
+    if (any(!slides)) force -= select(slides, Real(0.0), touch.tangential_damping) * touch.slip;
     store_slip(touch, slip, stored);
     return force;
   }

@@ -13,21 +13,24 @@ namespace gasgrain::contact {
 class TangentialLaw {
  public:
   static std::vector<HistoryValue> history() { return {}; }
-  static constexpr bool remembers = false;  // whether it has a history
+  static constexpr int remembers = 0;  // how many values its history has
   // Lever arms and walls as LAMMPS's own granular styles have them (touch.h).
   static constexpr bool levers_are_radii = false;
 
   void words(LawWords&) {}
   void connect(ContactHost& host) { friction_ = pairs_in(host, properties::friction); }
 
+  [[nodiscard]] int types() const { return friction_.types(); }
   // The place of a pair of types in this scene's tables.
   [[nodiscard]] std::size_t place(int type_i, int type_j) const {
     return friction_.at(type_i, type_j);
   }
 
  protected:
-  [[nodiscard]] double limit(const Touch& touch) const {
-    return friction_[touch.types] * std::abs(touch.normal_force);
+  template <class Real>
+  [[nodiscard]] [[gnu::always_inline]] inline Real limit(const TouchOf<Real>& touch) const {
+    using std::abs;
+    return friction_[touch.types] * abs(touch.normal_force);
   }
 
  private:

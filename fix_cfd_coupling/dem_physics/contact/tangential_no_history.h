@@ -15,11 +15,13 @@ class TangentialNoHistory : public TangentialLaw {
  public:
   static constexpr const char* name = "no_history";
 
-  [[gnu::always_inline]] inline Triple touching(const Touch& touch, double* /*stored*/) const {
-    const double speed = touch.slip.norm();
-    const double most = limit(touch);
-    const bool slides = most < touch.tangential_damping * speed;
-    return -(slides ? most / speed : touch.tangential_damping) * touch.slip;
+  template <class Real>
+  [[gnu::always_inline]] inline TripleOf<Real> touching(const TouchOf<Real>& touch,
+                                                        Real* /*stored*/) const {
+    const Real speed = touch.slip.norm();
+    const Real most = limit(touch);
+    const auto slides = most < touch.tangential_damping * speed;
+    return -select(slides, most / speed, touch.tangential_damping) * touch.slip;
   }
 };
 

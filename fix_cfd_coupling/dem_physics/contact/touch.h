@@ -20,34 +20,39 @@
 
 namespace gasgrain::contact {
 
-struct Touch {
-  Triple normal;  // from j, or the wall, to i
-  double distance = 0.0, overlap = 0.0;
-  double radius_i = 0.0, radius_j = 0.0, reduced_radius = 0.0;
-  double mass_i = 0.0, mass_j = 0.0, reduced_mass = 0.0;
-  double lever_i = 0.0, lever_j = 0.0;
-  Triple spin_i, spin_j;
-  double parting = 0.0;   // v_n
-  Triple slip;            // v_t
+// Real is a double, or one of each of several contacts of one pair of types (lanes.h).
+template <class Real>
+struct TouchOf {
+  TripleOf<Real> normal;  // from j, or the wall, to i
+  Real distance = 0.0, overlap = 0.0;
+  Real radius_i = 0.0, radius_j = 0.0, reduced_radius = 0.0;
+  Real mass_i = 0.0, mass_j = 0.0, reduced_mass = 0.0;
+  Real lever_i = 0.0, lever_j = 0.0;
+  TripleOf<Real> spin_i, spin_j;
+  Real parting = 0.0;     // v_n
+  TripleOf<Real> slip;    // v_t
   std::size_t types = 0;  // the place of the pair of types in a PairTable
   bool is_wall = false;
   bool updates = false;  // the history may change
   double step = 0.0;     // [s]
 
   // of the normal law
-  double normal_stiffness = 0.0, tangential_stiffness = 0.0;  // [N/m]
-  double normal_damping = 0.0, tangential_damping = 0.0;      // [N s/m]
-  double normal_force = 0.0;                                  // on i along n, damping included
+  Real prepared = 0.0;                                      // by its prepare(), where it has one
+  Real normal_stiffness = 0.0, tangential_stiffness = 0.0;  // [N/m]
+  Real normal_damping = 0.0, tangential_damping = 0.0;      // [N s/m]
+  Real normal_force = 0.0;                                  // on i along n, damping included
 };
+using Touch = TouchOf<double>;
 
 // Fills what follows from distance, radii, masses, spins and the velocity of i relative to j.
-template <bool levers_are_radii>
-[[gnu::always_inline]] inline void find_motion(Touch& touch, const Triple& velocity) {
-  const double half = levers_are_radii ? 0.0 : 0.5 * touch.overlap;
+template <bool levers_are_radii, class Real>
+[[gnu::always_inline]] inline void find_motion(TouchOf<Real>& touch,
+                                               const TripleOf<Real>& velocity) {
+  const Real half = levers_are_radii ? Real(0.0) : 0.5 * touch.overlap;
   touch.lever_i = touch.radius_i - half;
-  touch.lever_j = touch.is_wall ? 0.0 : touch.radius_j - half;
+  touch.lever_j = touch.is_wall ? Real(0.0) : touch.radius_j - half;
   touch.parting = velocity.dot(touch.normal);
-  Triple turning = touch.lever_i * touch.spin_i;
+  TripleOf<Real> turning = touch.lever_i * touch.spin_i;
   if (!touch.is_wall) turning += touch.lever_j * touch.spin_j;
   touch.slip = velocity - touch.parting * touch.normal - cross(turning, touch.normal);
 }

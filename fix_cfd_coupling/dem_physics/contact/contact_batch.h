@@ -1,0 +1,245 @@
+// The loop over contacts of grains for several contacts at once (lanes.h), for laws without
+// cohesion. It gives the forces of ContactLoop::pairs() but for the order of sums and round-off.
+//
+// First the grains' state is put side by side, so that a neighbour is two or three cache lines and
+// comes into registers by whole vectors. Pairs that touch are then queued, without a branch on
+// whether they do; a full queue is computed, several contacts in each instruction, and what comes
+// of it is added to the grains one contact after the other: the order is that of the list, whatever
+// the number of lanes. A queue holds contacts of one pair of types, whose constants are the same in
+// all lanes.
+//
+// Only files that are compiled for an instruction set include this.
+#pragma once
+
+#include "fix_cfd_coupling/dem_physics/contact/batch_loop.h"
+#include "fix_cfd_coupling/dem_physics/contact/contact_laws.h"
+#include "fix_cfd_coupling/dem_physics/contact/lanes.h"
+
+namespace gasgrain::contact {
+
+template <class Isa, class Laws>
+class ContactBatch {
+ public:
+  ContactBatch(Laws& laws, BatchStore& store, const Grains& grains, ContactObserver* observer)
+      : laws_(laws),
+        states_(store.states.data()),
+        pushes_(store.pushes.data()),
+        queues_(store.queues.data()),
+        grains_(grains),
+        observer_(observer) {}
+
+  void pairs(const NeighbourList& list, const ContactRows& rows) {
+    take_grains();
+    if (laws_.tangential.types() == 1)
+      find_contacts<true>(list, rows);
+    else
+      find_contacts<false>(list, rows);
+    give_forces();
+  }
+
+ private:
+  using Real = Lanes<Isa>;
+  static constexpr int lanes = Isa::lanes;
+  static constexpr int width = Laws::remembered;
+
+  [[gnu::always_inline]] static inline Quad& quad(double* of) {
+    return *reinterpret_cast<Quad*>(of);
+  }
+  [[gnu::always_inline]] static inline const Quad& quad(const double* of) {
+    return *reinterpret_cast<const Quad*>(of);
+  }
+
+  [[gnu::noinline]] void take_grains() {
+    const Grains grains = grains_;
+    for (int k = 0; k < grains.all; ++k) {
+      GrainState& state = states_[k];
+      quad(state.place) = Quad{grains.x[k][0], grains.x[k][1], grains.x[k][2], grains.radius[k]};
+      quad(state.motion) = Quad{grains.v[k][0], grains.v[k][1], grains.v[k][2], grains.inertia(k)};
+      const double frozen = (grains.mask[k] & grains.frozen) != 0 ? 1.0 : 0.0;
+      quad(state.turning) = Quad{grains.spin[k][0], grains.spin[k][1], grains.spin[k][2], frozen};
+      quad(pushes_[k].force) = quad(pushes_[k].torque) = Quad{};
+    }
+  }
+
+  [[gnu::noinline]] void give_forces() {
+    const int count = grains_.ghosts_take_forces ? grains_.all : grains_.owned;
+    for (int k = 0; k < count; ++k)
+      for (int d = 0; d < 3; ++d) {
+        grains_.force[k][d] += pushes_[k].force[d];
+        grains_.torque[k][d] += pushes_[k].torque[d];
+      }
+  }
+
+  template <bool of_one_type>
+  [[gnu::noinline]] void find_contacts(const NeighbourList& list, const ContactRows& rows) {
+    const GrainState* const states = states_;
+    const int row_width = rows.width;
+    const int index = list.index;
+    ContactQueue* queue = queues_ + laws_.tangential.place(1, 1);
+    int last = 0;
+    for (int n = 0; n < list.count; ++n) {
+      const int i = list.grains[n];
+      const int* neighbours = list.first[i];
+      const int number = list.neighbours[i];
+      [[maybe_unused]] int* in_use = width > 0 ? rows.in_use[i] : nullptr;
+      [[maybe_unused]] double* row = width > 0 ? rows.values[i] : nullptr;
+      const Quad at = quad(states[i].place);
+      for (int m = 0; m < number; ++m) {
+        const int j = neighbours[m] & index;
+        const Quad delta = at + quad(states[j].place) * Quad{-1.0, -1.0, -1.0, 1.0};
+        const Quad squares = delta * delta;
+        const bool touch = squares[0] + squares[1] + squares[2] < squares[3];
+        if constexpr (!of_one_type) {
+          queue = queues_ + laws_.tangential.place(grains_.type[i], grains_.type[j]);
+          last = queue->count;
+        }
+        queue->i[last] = i;
+        queue->j[last] = j;
+        quad(queue->delta[last]) = delta;
+        if constexpr (width > 0) {
+          queue->row[last] = row;
+          if (__builtin_expect(static_cast<int>(touch) < in_use[m], 0)) laws_.forget_touch(row);
+          in_use[m] = static_cast<int>(touch);
+          row += row_width;
+        }
+        last += static_cast<int>(touch);
+        if constexpr (!of_one_type) queue->count = last;
+        if (__builtin_expect(last == ContactQueue::capacity, 0)) {
+          compute(*queue, last);
+          last = 0;
+        }
+      }
+    }
+    if constexpr (of_one_type) queue->count = last;
+    const int types = laws_.tangential.types();
+    for (int a = 1; a <= types; ++a)
+      for (int b = 1; b <= types; ++b) {
+        ContactQueue& rest = queues_[laws_.tangential.place(a, b)];
+        compute(rest, rest.count);
+      }
+  }
+
+  [[gnu::noinline]] void compute(ContactQueue& queue, int count) {
+    queue.count = 0;
+    // The lanes beyond the end compute the last contact again, which nobody reads.
+    for (int k = count; k % lanes != 0; ++k) {
+      queue.i[k] = queue.i[count - 1];
+      queue.j[k] = queue.j[count - 1];
+      if constexpr (width > 0) queue.row[k] = queue.row[count - 1];
+      quad(queue.delta[k]) = quad(queue.delta[count - 1]);
+    }
+    for (int k = 0; k < count; k += lanes) compute(queue, k, count - k < lanes ? count - k : lanes);
+  }
+
+  [[gnu::always_inline]] inline void gather(const ContactQueue& queue, int begin,
+                                            TouchOf<Real>& touch, TripleOf<Real>& velocity) {
+    Quad quads[lanes];
+    Real columns[4];
+    for (int k = 0; k < lanes; ++k) quads[k] = quad(queue.delta[begin + k]);
+    columns_of(quads, columns);
+    const TripleOf<Real> delta{columns[0], columns[1], columns[2]};
+    const Real sum = columns[3];
+    touch.distance = delta.norm();
+    touch.normal = (1.0 / touch.distance) * delta;
+    touch.overlap = sum - touch.distance;
+
+    const int* i = queue.i + begin;
+    const int* j = queue.j + begin;
+    for (int k = 0; k < lanes; ++k) touch.radius_i.of[k] = states_[i[k]].place[3];
+    touch.radius_j = sum - touch.radius_i;
+    touch.reduced_radius = touch.radius_i * touch.radius_j / sum;
+
+    for (int k = 0; k < lanes; ++k) quads[k] = quad(states_[i[k]].motion);
+    columns_of(quads, columns);
+    velocity = {columns[0], columns[1], columns[2]};
+    touch.mass_i = columns[3];
+    for (int k = 0; k < lanes; ++k) quads[k] = quad(states_[j[k]].motion);
+    columns_of(quads, columns);
+    velocity -= {columns[0], columns[1], columns[2]};
+    touch.mass_j = columns[3];
+
+    touch.reduced_mass = touch.mass_i * touch.mass_j / (touch.mass_i + touch.mass_j);
+    for (int k = 0; k < lanes; ++k) quads[k] = quad(states_[i[k]].turning);
+    columns_of(quads, columns);
+    touch.spin_i = {columns[0], columns[1], columns[2]};
+    if (grains_.frozen != 0)
+      touch.reduced_mass = select(columns[3] > 0.0, touch.mass_j, touch.reduced_mass);
+    for (int k = 0; k < lanes; ++k) quads[k] = quad(states_[j[k]].turning);
+    columns_of(quads, columns);
+    touch.spin_j = {columns[0], columns[1], columns[2]};
+    if (grains_.frozen != 0)
+      touch.reduced_mass = select(columns[3] > 0.0, touch.mass_i, touch.reduced_mass);
+  }
+
+  [[gnu::always_inline]] inline void read_rows(double* const* row, Real* stored) {
+    Quad quads[lanes];
+    Real columns[4];
+    for (int from = 0; from < width; from += 3) {
+      for (int k = 0; k < lanes; ++k)
+        quads[k] = Quad{row[k][from], row[k][from + 1], row[k][from + 2], 0.0};
+      columns_of(quads, columns);
+      for (int d = 0; d < 3; ++d) stored[from + d] = columns[d];
+    }
+  }
+  [[gnu::always_inline]] inline void write_rows(double* const* row, const Real* stored, int count) {
+    Quad quads[lanes];
+    for (int from = 0; from < width; from += 3) {
+      const Real columns[4] = {stored[from], stored[from + 1], stored[from + 2], 0.0};
+      quads_of(columns, quads);
+      for (int k = 0; k < count; ++k)
+        for (int d = 0; d < 3; ++d) row[k][from + d] = quads[k][d];
+    }
+  }
+
+  [[gnu::always_inline]] inline void compute(const ContactQueue& queue, int begin, int count) {
+    TouchOf<Real> touch;
+    TripleOf<Real> velocity;
+    gather(queue, begin, touch, velocity);
+    touch.updates = grains_.updates;
+    touch.step = grains_.dt;
+    touch.types = static_cast<std::size_t>(&queue - queues_);
+    if constexpr (prepares<decltype(laws_.normal)>)
+      for (int k = 0; k < lanes; ++k)
+        touch.prepared.of[k] =
+            laws_.normal.prepare(touch.reduced_radius.of[k], touch.reduced_mass.of[k], touch.types);
+    Real stored[width + 1];
+    read_rows(queue.row + begin, stored);
+    TripleOf<Real> force, torque_i, torque_j;
+    laws_.touching_in_lanes(touch, velocity, stored, force, torque_i, torque_j);
+    write_rows(queue.row + begin, stored, count);
+
+    Quad pushes[lanes], twists_i[lanes], twists_j[lanes];
+    quads_of({force.x, force.y, force.z, 0.0}, pushes);
+    quads_of({torque_i.x, torque_i.y, torque_i.z, 0.0}, twists_i);
+    quads_of({torque_j.x, torque_j.y, torque_j.z, 0.0}, twists_j);
+    for (int k = 0; k < count; ++k) {
+      GrainPush& on_i = pushes_[queue.i[begin + k]];
+      GrainPush& on_j = pushes_[queue.j[begin + k]];
+      quad(on_i.force) += pushes[k];
+      quad(on_i.torque) += twists_i[k];
+      quad(on_j.force) -= pushes[k];
+      quad(on_j.torque) += twists_j[k];
+    }
+    if (observer_ == nullptr) return;
+    for (int k = 0; k < count; ++k) {
+      const double* delta = queue.delta[begin + k];
+      observer_->acts(queue.i[begin + k], queue.j[begin + k],
+                      {pushes[k][0], pushes[k][1], pushes[k][2]}, {delta[0], delta[1], delta[2]});
+    }
+  }
+
+  Laws& laws_;
+  GrainState* states_;
+  GrainPush* pushes_;
+  ContactQueue* queues_;
+  const Grains grains_;
+  ContactObserver* observer_;
+};
+
+template <class Isa, class Laws>
+void pairs_in_lanes(Laws& laws, BatchStore& store, const Grains& grains, const NeighbourList& list,
+                    const ContactRows& rows, ContactObserver* observer) {
+  ContactBatch<Isa, Laws>(laws, store, grains, observer).pairs(list, rows);
+}
+
+}  // namespace gasgrain::contact
