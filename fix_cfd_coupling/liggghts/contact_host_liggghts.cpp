@@ -5,6 +5,7 @@
 
 #include "fix_cfd_coupling/fixes/fix_liquid.h"
 #include "fix_cfd_coupling/fixes/host_error.h"
+#include "fix_cfd_coupling/liggghts/pair_gran_bridge.h"
 // The host's headers lean on each other's order.
 #include "lammps.h"
 // --
@@ -94,6 +95,10 @@ std::vector<std::string> ContactHostLiggghts::property_names() const {
           static_cast<LAMMPS_NS::FixPropertyGlobal*>(fix)->*property_member(PropertyNameTag{}));
   }
   return names;
+}
+
+bool ContactHostLiggghts::has_own_loop() const {
+  return dynamic_cast<LAMMPS_NS::PairGranBridge*>(&place_) != nullptr;
 }
 
 std::string ContactHostLiggghts::wall_id() const {

@@ -25,6 +25,9 @@ class ContactHostLiggghts final : public contact::ContactHost {
 
   void set_history_offset(int offset) { history_offset_ = offset; }
   [[nodiscard]] LAMMPS_NS::FixWallGran* wall() const { return wall_; }
+  // The loop over contacts is one of our own (pair_gran_bridge.h): it has a law of its own, and
+  // that of the host's models stands idle.
+  [[nodiscard]] bool has_own_loop() const;
 
   [[nodiscard]] int types() const override;
   [[nodiscard]] std::optional<contact::PairTable<double>> pairs(const char* name) const override;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "fix_cfd_coupling/liggghts/contact_styles_runtime.h"
+#include "fix_cfd_coupling/liggghts/pair_gran_bridge.h"
 // --
 #include "granular_pair_style.h"
 #include "granular_wall.h"
@@ -52,14 +53,20 @@ template struct RevealTable<WallTableTag, &LIGGGHTS::Utils::AbstractFactory<Wall
 
 namespace {
 
+bool has_own_loop(LIGGGHTS::IContactHistorySetup* parent) {
+  return dynamic_cast<LAMMPS_NS::PairGranBridge*>(parent) != nullptr;
+}
+
 // The host makes a combination that is in no table by the creator under the hash of no models. Ours
-// takes that place, and leaves to the host's own what holds no model of ours.
+// takes that place, and leaves to the host's own what holds no model of ours and runs: its warning
+// of a slow loop would be about one that stands idle.
 template <class Style, class Tag, class Runtime>
 struct LastResort {
   static inline CreatorOf<Style> of_host = nullptr;
 
   static Style* create(LAMMPS_NS::LAMMPS* host, typename Style::ParentType* parent, int64_t hash) {
-    if (ContactIds(hash).hold_ours()) return new Runtime(host, parent, hash);
+    if (ContactIds(hash).hold_ours() || has_own_loop(parent))
+      return new Runtime(host, parent, hash);
     return of_host(host, parent, hash);
   }
   static void install(LIGGGHTS::Utils::AbstractFactory<Style>& factory) {

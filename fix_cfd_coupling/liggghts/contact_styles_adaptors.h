@@ -85,6 +85,11 @@ class LawOfHost {
     }
   }
 
+  // Once for each law that acts: a law may warn, or count what it asks for.
+  void connect() {
+    if (!asked.has_own_loop()) law.connect(asked);
+  }
+
   contact::ContactView view(const CloseData& data, LAMMPS_NS::Atom& atom,
                             LAMMPS_NS::Update& update) const {
     contact::ContactView c;
@@ -168,7 +173,7 @@ class CohesionAdaptor : public LIGGGHTS::ContactModels::CohesionModelBase {
   }
   void postSettings(LIGGGHTS::IContactHistorySetup*,
                     LIGGGHTS::ContactModels::ContactModelBase*) override {}
-  void connectToProperties(::PropertyRegistry&) override { own_.law.connect(own_.asked); }
+  void connectToProperties(::PropertyRegistry&) override { own_.connect(); }
   void beginPass(IntersectData&, HostForces&, HostForces&) override { own_.law.begin_pass(); }
   void endPass(IntersectData&, HostForces&, HostForces&) override {}
 
@@ -223,7 +228,7 @@ class RollingAdaptor : public LIGGGHTS::ContactModels::RollingModelBase {
   }
   void postSettings(LIGGGHTS::IContactHistorySetup*,
                     LIGGGHTS::ContactModels::ContactModelBase*) override {}
-  void connectToProperties(::PropertyRegistry&) override { own_.law.connect(own_.asked); }
+  void connectToProperties(::PropertyRegistry&) override { own_.connect(); }
   void beginPass(IntersectData&, HostForces&, HostForces&) override {}
   void endPass(IntersectData&, HostForces&, HostForces&) override {}
 

@@ -5,6 +5,10 @@
 // then adds.
 #include <dlfcn.h>
 
+#include <cstdlib>
+#include <string>
+
+#include "coupling/base/error.h"
 #include "fix_cfd_coupling/fixes/fix_collisional_exchange.h"
 #include "fix_cfd_coupling/fixes/fix_couple_gas.h"
 #include "fix_cfd_coupling/fixes/fix_liquid.h"
@@ -13,7 +17,10 @@
 #include "fix_cfd_coupling/fixes/host_error.h"
 #include "fix_cfd_coupling/liggghts/contact_styles.h"
 #include "fix_cfd_coupling/liggghts/host_access.h"
+#include "fix_cfd_coupling/liggghts/pair_gran_bridge.h"
 #include "fix_cfd_coupling/liggghts/plugin_command.h"
+// --
+#include "force.h"
 
 namespace {
 
@@ -22,8 +29,28 @@ LAMMPS_NS::Fix* make_fix(LAMMPS_NS::LAMMPS* host, int narg, char** arg) {
   return new FixStyle(host, narg, arg);
 }
 
+template <class PairStyle>
+LAMMPS_NS::Pair* make_pair(LAMMPS_NS::LAMMPS* host) {
+  return new PairStyle(host);
+}
+
+// The environment's GASGRAIN_PAIR_STYLE=gran puts the host's own loop in the place of ours, for
+// comparisons.
+bool own_loop_wanted() {
+  const char* wish = std::getenv("GASGRAIN_PAIR_STYLE");
+  const std::string style = wish == nullptr || *wish == '\0' ? "gran/bridge" : wish;
+  if (style != "gran" && style != "gran/bridge")
+    gasgrain::stop_everything(
+        fmt::format("GASGRAIN_PAIR_STYLE={}: it is gran, LIGGGHTS's own loop over contacts in the "
+                    "place of gran/bridge, or gran/bridge, which is as without it.",
+                    style));
+  return style != "gran";
+}
+
 void register_styles(LAMMPS_NS::LAMMPS& host) {
   gasgrain::register_contact_styles();
+  (*host.force->pair_map)["gran/bridge"] = own_loop_wanted() ? &make_pair<LAMMPS_NS::PairGranBridge>
+                                                             : &make_pair<LAMMPS_NS::PairGranOfHost>;
   gasgrain::fix_map(host)["couple/gas"] = &make_fix<LAMMPS_NS::FixCoupleGas>;
   gasgrain::fix_map(host)["liquid"] = &make_fix<LAMMPS_NS::FixLiquid>;
   gasgrain::fix_map(host)["parcels"] = &make_fix<LAMMPS_NS::FixParcels>;
