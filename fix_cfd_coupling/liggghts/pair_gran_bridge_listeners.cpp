@@ -60,6 +60,7 @@ void PairGranBridge::compute_and_tell(int addflag) {
       if (!choice_.stack->pair(of_step, i, j, delta, use, row, push)) continue;
       if (!choice_.stack->has_cohesion()) push.force_j = -push.force_i;
 
+      // What the computes of the host, and tell(), read of its data.
       LCM::ForceData on_i, on_j;
       push.force_i.store(on_i.delta_F);
       push.torque_i.store(on_i.delta_torque);
@@ -67,23 +68,10 @@ void PairGranBridge::compute_and_tell(int addflag) {
       push.torque_j.store(on_j.delta_torque);
       data.i = i;
       data.j = j;
-      data.itype = atom->type[i];
-      data.jtype = atom->type[j];
-      data.radi = atom->radius[i];
-      data.radj = atom->radius[j];
-      data.radsum = sum;
-      data.rsq = square;
-      data.r = std::sqrt(square);
-      data.rinv = 1.0 / data.r;
-      data.deltan = sum - data.r;
-      delta.store(data.delta);
-      (data.rinv * delta).store(data.en);
-      data.v_i = atom->v[i];
-      data.v_j = atom->v[j];
-      data.omega_i = atom->omega[i];
-      data.omega_j = atom->omega[j];
       data.contact_flags = use;
       data.contact_history = row;
+      delta.store(data.delta);
+      ((1.0 / std::sqrt(square)) * delta).store(data.en);
       tell(data, on_i, on_j, to_compute);
     }
   }
