@@ -64,6 +64,8 @@ int ContactHostLiggghts::types() const {
 }
 
 std::optional<contact::PairTable<double>> ContactHostLiggghts::pairs(const char* name) const {
+  if (frictionless_ && std::strcmp(name, contact::properties::friction.name) == 0)
+    return contact::PairTable<double>(types());
   auto* fix = find(host_, name, "peratomtypepair", types(), types());
   if (fix == nullptr) return std::nullopt;
   contact::PairTable<double> table(types());

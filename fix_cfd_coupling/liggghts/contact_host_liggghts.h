@@ -24,6 +24,8 @@ class ContactHostLiggghts final : public contact::ContactHost {
                       std::string law);
 
   void set_history_offset(int offset) { history_offset_ = offset; }
+  // The coefficient of friction is 0, whatever the script has.
+  void set_frictionless(bool yes) { frictionless_ = yes; }
   [[nodiscard]] LAMMPS_NS::FixWallGran* wall() const { return wall_; }
   // The loop over contacts is one of our own (pair_gran_bridge.h): it has a law of its own, and
   // that of the host's models stands idle.
@@ -69,6 +71,7 @@ class ContactHostLiggghts final : public contact::ContactHost {
   LIGGGHTS::IContactHistorySetup& place_;
   LAMMPS_NS::FixWallGran* wall_;  // null of a pair style
   int history_offset_ = -1;
+  bool frictionless_ = false;
 };
 
 }  // namespace gasgrain

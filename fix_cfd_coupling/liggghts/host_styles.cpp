@@ -49,8 +49,9 @@ bool own_loop_wanted() {
 
 void register_styles(LAMMPS_NS::LAMMPS& host) {
   gasgrain::register_contact_styles();
-  (*host.force->pair_map)["gran/bridge"] = own_loop_wanted() ? &make_pair<LAMMPS_NS::PairGranBridge>
-                                                             : &make_pair<LAMMPS_NS::PairGranOfHost>;
+  (*host.force->pair_map)["gran/bridge"] = own_loop_wanted()
+                                               ? &make_pair<LAMMPS_NS::PairGranBridge>
+                                               : &make_pair<LAMMPS_NS::PairGranOfHost>;
   gasgrain::fix_map(host)["couple/gas"] = &make_fix<LAMMPS_NS::FixCoupleGas>;
   gasgrain::fix_map(host)["liquid"] = &make_fix<LAMMPS_NS::FixLiquid>;
   gasgrain::fix_map(host)["parcels"] = &make_fix<LAMMPS_NS::FixParcels>;

@@ -1,9 +1,13 @@
 #include "fix_cfd_coupling/liggghts/pair_gran_bridge.h"
 
+#include <algorithm>
 #include <cstring>
+#include <sstream>
 #include <string>
 
 #include "coupling/base/error.h"
+#include "fix_cfd_coupling/dem_physics/contact/tangential_damped_history.h"
+#include "fix_cfd_coupling/dem_physics/contact/tangential_no_history.h"
 #include "fix_cfd_coupling/fixes/host_error.h"
 // --
 #include "atom.h"
@@ -20,6 +24,28 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& why) {
   gasgrain::stop_everything("pair_style gran/bridge: " + why);
+}
+
+// Without those that no script of LIGGGHTS can name: it lists what is compiled, line by line.
+std::string of_this_host(const std::string& text) {
+  std::istringstream lines(text);
+  std::string kept;
+  for (std::string line; std::getline(lines, line);)
+    if (line.find(contact::TangentialDampedHistory::name) == std::string::npos) kept += line + '\n';
+  return kept;
+}
+
+// `tangential off`, or no such word, is LIGGGHTS's way to leave friction out: a model of friction
+// whose coefficient is then 0 does the same. Whether the words are so.
+bool name_no_friction(std::vector<std::string>& words) {
+  const auto at = std::find(words.begin(), words.end(), "tangential");
+  if (at == words.end()) {
+    words.insert(words.end(), {"tangential", contact::TangentialNoHistory::name});
+    return true;
+  }
+  if (at + 1 == words.end() || at[1] != "off") return false;
+  at[1] = contact::TangentialNoHistory::name;
+  return true;
 }
 
 }  // namespace
@@ -39,13 +65,14 @@ PairGranBridge::PairGranBridge(LAMMPS* host) : PairGranOfHost(host) {}
 PairGranBridge::~PairGranBridge() = default;
 
 void PairGranBridge::settings(int narg, char** arg) {
-  const std::vector<std::string> words(arg, arg + narg);
+  std::vector<std::string> words(arg, arg + narg);
   PairGranOfHost::settings(narg, arg);
+  frictionless_ = name_no_friction(words);
   try {
     choice_ = contact::read_contact(words, false);
   } catch (const gasgrain::Error& e) {
-    refuse(std::string(e.what()) +
-           "\nEvery other model and word of LIGGGHTS is taken by 'pair_style gran'.");
+    refuse(of_this_host(e.what()) +
+           "Every other model and word of LIGGGHTS is taken by 'pair_style gran'.");
   }
   choice_.stack->put_cohesion_first();
   check_history();
@@ -88,6 +115,7 @@ void PairGranBridge::init_granular() {
         auto& host =
             *hosts_.emplace_back(std::make_unique<gasgrain::ContactHostLiggghts>(*lmp, *this, law));
         host.set_history_offset(offset);
+        host.set_frictionless(frictionless_);
         return host;
       });
 }

@@ -58,6 +58,7 @@ class [[gnu::visibility("default")]] PairGranBridge final
             bool to_compute);
 
   gasgrain::contact::ContactChoice choice_;
+  bool frictionless_ = false;
   std::vector<std::unique_ptr<gasgrain::ContactHostLiggghts>> hosts_;  // one for each law
 };
 
