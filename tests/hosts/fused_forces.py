@@ -20,8 +20,8 @@ MOVE = "fix move all nve/sphere\n"
 
 def contact_of(normal, tangential, rolling, cohesion):
     """In LIGGGHTS's order of words."""
-    return (f"model {normal}" + f" tangential {tangential}" * (tangential != "off") + f" cohesion {cohesion}" * (cohesion != "off")
-            + f" rolling_friction {rolling}" * (rolling != "off"))
+    return (f"model {normal}" + f" tangential {tangential}" * (tangential != "off")
+            + f" cohesion {cohesion}" * (cohesion != "off") + f" rolling_friction {rolling}" * (rolling != "off"))
 
 
 def compiled_with(cohesion):
@@ -73,8 +73,9 @@ class Fused(unittest.TestCase):
         self.compare(stacks, 1)
         self.compare(stacks[::7], 2)
 
-    def moved(self, style, contact, after, lines="", every=100, **settings):
-        return results(head(data=lines) + pair(style, contact) + walls(contact) + MOVE + dump(every=every) + after, **settings)
+    def moved(self, style, contact, after, lines="", every=100, before_walls="", **settings):
+        return results(head(data=lines) + pair(style, contact) + before_walls + walls(contact) + MOVE
+                       + dump(every=every) + after, **settings)
 
     def test_grains_that_meet_and_part_move_alike_where_no_spring_outlives_its_contact(self):
         stock = states(self.moved("gran", CONTACT, NEW_LISTS + "run 200"))
@@ -100,13 +101,14 @@ class Fused(unittest.TestCase):
         columns = " ".join(f"c_loc[{n}]" for n in range(1, 33))
         after = (f"compute stress all stress/atom virial\ncompute loc all pair/gran/local {asked}\n"
                  f"dump loc all local 5 local.txt {columns}\ndump_modify loc format \"{'%.17g ' * 32}\"\n"
-                 "dump told all custom 5 told.txt id f_press c_stress[1] c_stress[2] c_stress[4]\n"
-                 'dump_modify told sort id format "%d %.17g %.17g %.17g %.17g"\nrun 5')
+                 "dump told all custom 5 told.txt id f_press c_stress[1] c_stress[2] c_stress[4] f_stressTensor_[1] "
+                 f"f_stressTensor_[4]\ndump_modify told sort id format \"%d{' %.17g' * 6}\"\nrun 5")
         press = "fix press all property/atom sum_normal_force_ scalar no no no 0.0\n"
+        weighted = "fix weighted all continuum/weighted kernel_radius 0.006 kernel_type Top_Hat compute stress\n"
         for cohesion in ("off", "bridge"):
             lines, _ = lines_of(cohesion)
             contact = contact_of("hertz", "history", "epsd", cohesion)
-            files = [self.moved(style, contact, after, lines + press, every=5) for style in STYLES]
+            files = [self.moved(style, contact, after, lines + press, 5, weighted) for style in STYLES]
             rows = [rows_of(text["local.txt"]) for text in files]
             self.assertGreater(len(rows[0]), 35)
             self.assertLess(rows_differ(*rows), ROUND_OFF)
