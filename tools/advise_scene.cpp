@@ -29,7 +29,7 @@ class SceneReader {
         read_fix(command, words);
       else if (verb == "timestep")
         scene_.dt = words.number(1);
-      else if (verb == "pair_style" && words.word(1) == "gran")
+      else if (verb == "pair_style" && words.word(1).rfind("gran", 0) == 0)
         read_pair(words);
     }
     scene_.grains = grains.grains();

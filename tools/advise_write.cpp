@@ -143,7 +143,7 @@ class AdviceWriter {
       to_add_.insert(to_add_.begin(), "drag tang");
     } else if (row.name == "van der Waals") {
       edit_.by_hand(row.name,
-                    "Add 'cohesion van_der_waals' to pair_style gran and to the walls, and "
+                    "Add 'cohesion van_der_waals' to pair_style gran/bridge and to the walls, and "
                     "'hamakerConstant' (docs/liggghts.md).");
     } else if (row.now == "absent") {
       edit_.by_hand(row.name, "It is not in this version.");

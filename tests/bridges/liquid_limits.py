@@ -126,8 +126,8 @@ class Refused(unittest.TestCase):
 
     def test_bridges_without_liquid_and_liquid_without_bridges(self):
         self.refused("has no liquid", "fix liquid all liquid content", liquid="")
-        gran = "gran" if HOST == "liggghts" else "gran/bridge"
-        self.refused(f"neither 'pair_style {gran}' nor a 'fix wall/{gran}' has 'cohesion bridge'", cohesion="")
+        wall = "gran" if HOST == "liggghts" else "gran/bridge"
+        self.refused(f"neither 'pair_style gran/bridge' nor a 'fix wall/{wall}' has 'cohesion bridge'", cohesion="")
 
     def test_a_wall_that_is_not_there(self):
         self.refused('wall "flor" is no fix wall/gran', 'Did you mean "floor"?', liquid=f"fix wet all liquid {LIQUID} wall flor 1e-4",

@@ -34,7 +34,7 @@ fix m1 all property/global youngsModulus peratomtype 5e6
 fix m2 all property/global poissonsRatio peratomtype 0.45
 fix m3 all property/global coefficientRestitution peratomtypepair 1 0.7
 fix m4 all property/global coefficientFriction peratomtypepair 1 0.5
-pair_style gran model hertz tangential history {cohesion}
+pair_style gran/bridge model hertz tangential history {cohesion}
 pair_coeff * *
 timestep {step}
 {grains}

@@ -77,10 +77,12 @@ class Wet:
         low, high = ((-size,) * 3, (size,) * 3) if np.isscalar(size) else size
         cohesion = cohesion if cohesion is not None else "bridge" if liquid else ""
         self.cohesion = f"cohesion {cohesion}" if cohesion else ""
+        # The host's own models are in its own style alone.
+        style = "gran/bridge" if program is None and cohesion in ("", "bridge", None) else "gran"
         lines = ["atom_style granular", "atom_modify map array", "boundary f f f", "newton off",
                  "communicate single vel yes", "units si", f"processors {ranks} 1 1", "read_data grains.data", f"neighbor {skin} bin",
                  "neigh_modify delay 0", properties(types, restitution, friction, modulus), before,
-                 f"pair_style gran {MODEL} {self.cohesion}", "pair_coeff * *", f"timestep {step:.17g}"]
+                 f"pair_style {style} {MODEL} {self.cohesion}", "pair_coeff * *", f"timestep {step:.17g}"]
         lines.append("thermo 100000")
         if liquid:
             lines.append(f"fix wet all liquid {liquid} output liquid.csv")

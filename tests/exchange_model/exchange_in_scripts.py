@@ -237,7 +237,7 @@ fix m1 all property/global youngsModulus peratomtype 5e6 {two}
 fix m2 all property/global poissonsRatio peratomtype 0.45 {ratio}
 fix m3 all property/global coefficientRestitution peratomtypepair {types} {four}
 fix m4 all property/global coefficientFriction peratomtypepair {types} {four}
-pair_style gran model hertz tangential history {cohesion}
+pair_style gran/bridge model hertz tangential history {cohesion}
 pair_coeff * *
 timestep 1e-5
 fix nve all nve/sphere

@@ -315,7 +315,7 @@ class Refusals(unittest.TestCase):
         contacts = ("neighbor 0.002 bin\nfix m1 all property/global youngsModulus peratomtype 5e6\n"
                     "fix m2 all property/global poissonsRatio peratomtype 0.45\n"
                     "fix m3 all property/global coefficientRestitution peratomtypepair 1 0.7\n"
-                    "pair_style gran model hertz tangential off\npair_coeff * *\n")
+                    "pair_style gran/bridge model hertz tangential off\npair_coeff * *\n")
         if HOST == "lammps":
             contacts = "neighbor 0.002 bin\npair_style gran/hertz/history 5e6 NULL 50 NULL 0.5 1\npair_coeff * *\n"
         self.refuse(contacts + self.P + "run 1\n", f"in.{HOST}", "parcels have no contacts", "pair_style none")

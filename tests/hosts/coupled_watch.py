@@ -270,7 +270,7 @@ class DemStep(unittest.TestCase):
 
     def test_the_other_normal_models(self):
         slow = replaced(f"in.{HOST}", "timestep 2e-5", "timestep 1e-3")
-        pair = "pair_style gran model hertz tangential history"
+        pair = "pair_style gran/bridge model hertz tangential history"
         speed = "fix speed all property/global characteristicVelocity scalar 2.0\n"
         kn = "\n".join(f"fix {n} all property/global {n} peratomtypepair 1 {v}" for n, v in
                        (("kn", 1000), ("kt", 300), ("gamman_abs", 0.01), ("gammat_abs", 0.01))) + "\n"
@@ -319,12 +319,12 @@ fix rain all insert/pack seed 32452843 distributiontemplate sizes maxattempt 100
                      replaced(f"in.{HOST}", "timestep 2e-5", "timestep 2e-4"), extra=pour, steps=100)
 
     def test_a_contact_model_that_cannot_be_read_is_said_and_not_refused(self):
-        pair = "pair_style gran model hertz tangential history"
+        pair = "pair_style gran/bridge model hertz tangential history"
         hysteresis = "".join(f"fix {n} all property/global {n} peratomtypepair 1 {v}\n" for n, v in
                              (("coefficientMaxElasticStiffness", 2.0), ("coefficientAdhesionStiffness", 0.1),
                               ("coefficientPlasticityDepth", 0.05)))
         speed = "fix speed all property/global characteristicVelocity scalar 2.0\n"
-        unread = hysteresis + speed + pair.replace("hertz", "hooke/hysteresis")
+        unread = hysteresis + speed + "pair_style gran model hooke/hysteresis tangential history"
         if HOST == "lammps":
             unread = "pair_style gran/hertz/history 5e6 NULL 50 NULL 0.1 1"
         status, text = self.told([replaced(f"in.{HOST}", pair, unread)], extra="run 20")

@@ -13,7 +13,6 @@ LAMMPS = (
     (r"property/atom (particlesPerParcel|liquidFilm)", r"d_\1"),
     (r"\bf_(particlesPerParcel|liquidFilm)\b", r"d_\1"),
     (r"^(dump_modify .*)\bformat \"", r'\1format line "'),
-    (r"^pair_style gran (model .*)$", r"pair_style gran/bridge \1"),
     (r"\bwall/gran (model .*)$", r"wall/gran/bridge \1"),
 )
 

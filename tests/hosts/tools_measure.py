@@ -39,7 +39,7 @@ fix youngs all property/global youngsModulus peratomtype 5e6
 fix poisson all property/global poissonsRatio peratomtype 0.25
 fix restitution all property/global coefficientRestitution peratomtypepair 1 0.9
 fix friction all property/global coefficientFriction peratomtypepair 1 ${friction}
-pair_style gran model hertz tangential history
+pair_style gran/bridge model hertz tangential history
 pair_coeff * *
 fix motion all nve/sphere
 thermo 1000

@@ -56,7 +56,7 @@ fix poisson all property/global poissonsRatio peratomtype 0.17
 fix restitution all property/global coefficientRestitution peratomtypepair 1 0.9
 fix friction all property/global coefficientFriction peratomtypepair 1 0.1
 fix speed all property/global characteristicVelocity scalar 1.0
-pair_style gran model ${contact}
+pair_style gran/bridge model ${contact}
 pair_coeff * *
 fix x_lo all wall/gran model ${contact} primitive type 1 xplane 0.0
 fix x_hi all wall/gran model ${contact} primitive type 1 xplane 0.022

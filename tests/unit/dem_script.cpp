@@ -75,10 +75,10 @@ TEST_F(DemScripts, puts_variables_and_their_formulas_in) {
            "variable last equal ${pack}+round(0.5/${dt})\n"
            "variable half equal v_last/2\n"
            "variable later equal step*2\n"
-           "pair_style gran model $c\n"
+           "pair_style gran/bridge model $c\n"
            "run ${last} upto ${half}\n"));
   EXPECT_EQ(words_of(script),
-            "[pair_style][gran][model][hertz][tangential][history]\n[run][70000][upto][35000]\n");
+            "[pair_style][gran/bridge][model][hertz][tangential][history]\n[run][70000][upto][35000]\n");
 }
 
 TEST_F(DemScripts, leaves_alone_what_the_command_line_or_an_earlier_line_has_set) {

@@ -50,7 +50,7 @@ fix youngs all property/global youngsModulus peratomtype 5e6
 fix poisson all property/global poissonsRatio peratomtype 0.17
 fix restitution all property/global coefficientRestitution peratomtypepair 1 0.9
 fix friction all property/global coefficientFriction peratomtypepair 1 0.1
-pair_style gran model hertz tangential history
+pair_style gran/bridge model hertz tangential history
 pair_coeff * *
 fix weight all gravity 9.81 vector 0 0 -1
 fix motion all nve/sphere

@@ -90,7 +90,7 @@ fix kt all property/global kt peratomtypepair 1 {0.8 * stiffness!r}
 fix gamman all property/global gamman peratomtypepair 1 {damping!r}
 fix gammat all property/global gammat peratomtypepair 1 {damping!r}
 fix friction all property/global coefficientFriction peratomtypepair 1 {friction}
-pair_style gran {model}
+pair_style gran/bridge {model}
 pair_coeff * *
 fix z_lo all wall/gran {model} store_force yes primitive type 1 zplane {floor!r}
 fix z_hi all wall/gran {model} primitive type 1 zplane {top!r}

@@ -74,7 +74,7 @@ std::string script(const GrainMaterial& m, const std::string& contact, double re
       "fix restitution all property/global coefficientRestitution peratomtypepair 1 {6}\n"
       "fix friction all property/global coefficientFriction peratomtypepair 1 {7}\n"
       "fix speed all property/global characteristicVelocity scalar {8}\n"
-      "pair_style gran model {9}\npair_coeff * *\n"
+      "pair_style gran/bridge model {9}\npair_coeff * *\n"
       "fix wall all wall/gran model {9} primitive type 1 zplane 0.0\n"
       "fix motion all nve/sphere\n",
       pitch * phases, pitch, 0.5 * m.radius, step, m.youngs, m.poisson, restitution, m.friction,
