@@ -17,6 +17,7 @@
 #include "fix_cfd_coupling/fixes/host_error.h"
 #include "fix_cfd_coupling/liggghts/contact_styles.h"
 #include "fix_cfd_coupling/liggghts/host_access.h"
+#include "fix_cfd_coupling/liggghts/neighbor_sorted.h"
 #include "fix_cfd_coupling/liggghts/pair_gran_bridge.h"
 #include "fix_cfd_coupling/liggghts/plugin_command.h"
 // --
@@ -74,4 +75,7 @@ void LAMMPS_NS::LAMMPS::post_create() {
   library_post_create(this);
   gasgrain::set_host(this);
   register_styles(*this);
+  // Nobody has asked it for anything yet; all others reach it through this pointer.
+  delete neighbor;
+  neighbor = new gasgrain::NeighborSorted(this);
 }
