@@ -140,6 +140,25 @@ class Study(unittest.TestCase):
         self.assertAlmostEqual(ratio, 2.0**0.8, places=4)
         self.assertLess(float(stiff["dt_s"]), float(soft["dt_s"]) / ratio**0.45)
 
+    def test_each_contact_model_by_both_loops_over_contacts(self):
+        status, out, err = self.study("contact-model", "--values", "hertz tangential history",
+                                      "hooke", "--time", "0.01", "--no-plots")
+        self.assertEqual(status, 0, out + err)
+        rows = self.rows()
+        # Ours has no loop for a contact without a tangential model.
+        self.assertEqual(list(rows), ["hertz_tangential_history", "twin",
+                                      "hertz_tangential_history_gran", "hooke_gran"])
+        for name, row in rows.items():
+            self.assertEqual(row["status"], "ok", name)
+            script = (self.out / "points" / name / "scene" / "in.liggghts").read_text()
+            line = f"\npair_style {row['pair_style']} model ${{contact}}\n"
+            self.assertIn(line, script)
+            self.assertEqual(row["pair_style"] == "gran", name.endswith("_gran"))
+        # The order of sums is all that differs; another model is another bed.
+        host = float(rows["hertz_tangential_history_gran"]["energy_error"])
+        self.assertLess(host, 0.1 * float(rows["hooke_gran"]["energy_error"]))
+        self.assertIn("by pair_style gran in place of gran/bridge", out)
+
     def test_a_bounce_meets_its_analytic_solution_as_the_step_shrinks(self):
         status, out, err = self.study("dem-step", "--values", "0.01", "0.04", "0.16", "--time",
                                       "0.0008", "--no-plots")

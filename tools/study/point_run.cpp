@@ -14,6 +14,7 @@
 #include "tools/history.h"
 #include "tools/scene_copy.h"
 #include "tools/stop_request.h"
+#include "tools/study/pair_style.h"
 
 namespace gasgrain {
 
@@ -87,6 +88,7 @@ fs::path PointRunner::results(const StudyPoint& point, int repeat) const {
 std::string PointRunner::prepare(const StudyPoint& point, bool packed) const {
   SceneCopy copy(options_.scene, folder_ / point.name / "scene");
   for (const auto& [name, value] : point.variables) copy.set_variable(name, value);
+  if (!point.pair_style.empty()) set_pair_style(copy, options_.scene, point.pair_style);
   for (const auto& [key, value] : point.gas_keys)
     if (value == absent_table)
       copy.remove_gas_table(key);

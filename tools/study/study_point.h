@@ -18,6 +18,7 @@ struct StudyPoint {
   std::string name;       // of the row, and of the point's folder
   Settings dials;         // the columns that tell what was turned: name, value
   Settings variables;     // of in.liggghts
+  std::string pair_style;  // the loop over contacts, gran or gran/bridge; empty: the scene's
   Settings gas_keys;      // of gas.toml
   std::string reference;  // the point that its errors are against; empty: the study's first
   double settle_s = 0;    // time of packing after the packed bed was read, before the gas starts
