@@ -11,6 +11,7 @@
 #include "tools/child_process.h"
 #include "tools/failure.h"
 #include "tools/programs.h"
+#include "tools/study/pair_style.h"
 
 namespace gasgrain {
 
@@ -74,11 +75,11 @@ std::string script(const GrainMaterial& m, const std::string& contact, double re
       "fix restitution all property/global coefficientRestitution peratomtypepair 1 {6}\n"
       "fix friction all property/global coefficientFriction peratomtypepair 1 {7}\n"
       "fix speed all property/global characteristicVelocity scalar {8}\n"
-      "pair_style gran/bridge model {9}\npair_coeff * *\n"
+      "pair_style {10} model {9}\npair_coeff * *\n"
       "fix wall all wall/gran model {9} primitive type 1 zplane 0.0\n"
       "fix motion all nve/sphere\n",
       pitch * phases, pitch, 0.5 * m.radius, step, m.youngs, m.poisson, restitution, m.friction,
-      m.characteristic_velocity, contact);
+      m.characteristic_velocity, contact, own_loop_has(contact) ? own_pair_style : host_pair_style);
   for (int n = 0; n < phases; ++n)
     text += fmt::format("create_atoms 1 single {:.17g} {:.17g} {:.17g} units box\n",
                         pitch * (n + 0.5), 0.5 * pitch, m.radius + first_gap(n, step, speed));
