@@ -2,7 +2,7 @@
 """A settled bed on a floor that shakes, from one restart file with `pair_style gran` and with `gran/bridge`: energy, height
 and contacts in the mean of the run.
 
-As a test: 600 grains, 3000 steps. Of 2,000 grains and 1e4 steps, with what LIGGGHTS's own springs do that outlive their
+As a test: 576 grains, 3000 steps. Of 2,016 grains and 1e4 steps, with what LIGGGHTS's own springs do that outlive their
 contacts (docs/lammps.md):
 
     tests/hosts/fused_bed.py build --layers 14 --across 12 --steps 10000 --settle 20000

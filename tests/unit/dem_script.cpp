@@ -77,8 +77,9 @@ TEST_F(DemScripts, puts_variables_and_their_formulas_in) {
            "variable later equal step*2\n"
            "pair_style gran/bridge model $c\n"
            "run ${last} upto ${half}\n"));
-  EXPECT_EQ(words_of(script),
-            "[pair_style][gran/bridge][model][hertz][tangential][history]\n[run][70000][upto][35000]\n");
+  EXPECT_EQ(
+      words_of(script),
+      "[pair_style][gran/bridge][model][hertz][tangential][history]\n[run][70000][upto][35000]\n");
 }
 
 TEST_F(DemScripts, leaves_alone_what_the_command_line_or_an_earlier_line_has_set) {
