@@ -15,13 +15,13 @@ using Settings = std::vector<std::pair<std::string, std::string>>;  // name, val
 constexpr const char* absent_table = "absent";
 
 struct StudyPoint {
-  std::string name;       // of the row, and of the point's folder
-  Settings dials;         // the columns that tell what was turned: name, value
-  Settings variables;     // of in.liggghts
+  std::string name;        // of the row, and of the point's folder
+  Settings dials;          // the columns that tell what was turned: name, value
+  Settings variables;      // of in.liggghts
   std::string pair_style;  // the loop over contacts, gran or gran/bridge; empty: the scene's
-  Settings gas_keys;      // of gas.toml
-  std::string reference;  // the point that its errors are against; empty: the study's first
-  double settle_s = 0;    // time of packing after the packed bed was read, before the gas starts
+  Settings gas_keys;       // of gas.toml
+  std::string reference;   // the point that its errors are against; empty: the study's first
+  double settle_s = 0;     // time of packing after the packed bed was read, before the gas starts
   double expected_cost = 1.0;  // against the other points, for the time left
   int dem_ranks = 0;           // 0: the study's
   int gas_ranks = 0;
