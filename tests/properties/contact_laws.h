@@ -9,6 +9,7 @@
 
 #include "fix_cfd_coupling/dem_physics/contact/cohesion_law.h"
 #include "fix_cfd_coupling/dem_physics/liquid/scene_liquid.h"
+#include "tests/properties/silent_host.h"
 
 namespace gasgrain::contact {
 
@@ -40,10 +41,8 @@ class TwoGrainsLiquid : public liquid::SceneLiquid {
   liquid::WallBridges wall_{"none"};
 };
 
-class TwoGrains final : public ContactHost {
+class TwoGrains final : public SilentHost {
  public:
-  TwoGrains() : ContactHost("law under test") {}
-
   std::array<double, 2> radius{1e-3, 6e-4};
   TwoGrainsLiquid film{radius};
 
@@ -64,34 +63,15 @@ class TwoGrains final : public ContactHost {
     const auto value = others_.find(name);
     return value == others_.end() ? std::nullopt : std::optional<double>(value->second);
   }
-  [[nodiscard]] std::vector<std::string> property_names() const override { return {}; }
-  [[nodiscard]] bool is_wall() const override { return false; }
-  [[nodiscard]] std::string wall_id() const override { return ""; }
-  [[nodiscard]] bool normal_model_is(const char* name) const override {
-    return std::string(name) == "hertz";
-  }
-  [[nodiscard]] int history_offset() const override { return 0; }
   [[nodiscard]] double smallest_radius() const override { return radius[1]; }
   [[nodiscard]] double largest_radius() const override { return radius[0]; }
   [[nodiscard]] int grains() const override { return 2; }
   [[nodiscard]] const double* radii() const override { return radius.data(); }
   [[nodiscard]] const int* const* numbers() const override { return &number_; }
   [[nodiscard]] GrainScalar grain_scalar(const char*) const override { return {&charge_, true}; }
-  [[nodiscard]] GrainScalarLines grain_scalar_lines(const char*) const override { return {}; }
-  void send_to_ghosts(const GrainScalar&) override {}
-  [[nodiscard]] std::int64_t step() const override { return 0; }
-  [[nodiscard]] double timestep() const override { return 1e-6; }
-  [[nodiscard]] MPI_Comm communicator() const override { return MPI_COMM_SELF; }
   [[nodiscard]] liquid::SceneLiquid& liquid() override { return film; }
-  void reach(double, double) override {}
-  void refuse_coarse_grains() const override {}
-  void refuse_unfit_run() const override {}
-  void warn(const std::string&) const override {}
-  void warn_from_here(const std::string&) const override {}
 
  private:
-  void end_launch(const std::string& message) const override { throw Error(message); }
-
   std::map<std::string, double> of_pairs_{
       {"hamakerConstant", 1e-19},         {"workOfAdhesion", 0.05},
       {"neckSurfaceTension", 2.0},        {"neckTensileStrength", 1e12},

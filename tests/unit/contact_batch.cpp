@@ -7,6 +7,7 @@
 
 #include "fix_cfd_coupling/dem_physics/contact/contact_stacks.h"
 #include "fix_cfd_coupling/dem_physics/contact/stacks_in_lanes.h"
+#include "tests/properties/silent_host.h"
 
 namespace gasgrain::contact {
 namespace {
@@ -14,9 +15,9 @@ namespace {
 // The order of sums and fused products differ, nothing else.
 constexpr double round_off = 1e-12;
 
-class Scene : public ContactHost {
+class Scene : public SilentHost {
  public:
-  explicit Scene(int types) : ContactHost("a test"), types_(types) {}
+  explicit Scene(int types) : types_(types) {}
   int types() const override { return types_; }
   std::optional<PairTable<double>> pairs(const char* name) const override {
     static const std::map<std::string, double> first = {{"coefficientRestitution", 0.6},
@@ -40,31 +41,6 @@ class Scene : public ContactHost {
     return values;
   }
   std::optional<double> scalar(const char*) const override { return 0.5; }
-  std::vector<std::string> property_names() const override { return {}; }
-  bool is_wall() const override { return false; }
-  std::string wall_id() const override { return ""; }
-  bool normal_model_is(const char*) const override { return false; }
-  int history_offset() const override { return -1; }
-  double smallest_radius() const override { return 0.0; }
-  double largest_radius() const override { return 0.0; }
-  int grains() const override { return 0; }
-  const double* radii() const override { return nullptr; }
-  const int* const* numbers() const override { return nullptr; }
-  GrainScalar grain_scalar(const char*) const override { return {}; }
-  GrainScalarLines grain_scalar_lines(const char*) const override { return {}; }
-  void send_to_ghosts(const GrainScalar&) override {}
-  std::int64_t step() const override { return 0; }
-  double timestep() const override { return 1e-6; }
-  MPI_Comm communicator() const override { return MPI_COMM_SELF; }
-  liquid::SceneLiquid& liquid() override { refuse("there is none."); }
-  void reach(double, double) override {}
-  void refuse_coarse_grains() const override {}
-  void refuse_unfit_run() const override {}
-  void warn(const std::string&) const override {}
-  void warn_from_here(const std::string&) const override {}
-
- protected:
-  void end_launch(const std::string& message) const override { throw Error(message); }
 
  private:
   int types_;

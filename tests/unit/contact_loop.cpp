@@ -8,6 +8,7 @@
 #include "fix_cfd_coupling/dem_physics/contact/normal_hertz.h"
 #include "fix_cfd_coupling/dem_physics/contact/rolling_cdt.h"
 #include "fix_cfd_coupling/dem_physics/contact/tangential_history.h"
+#include "tests/properties/silent_host.h"
 
 namespace gasgrain::contact {
 namespace {
@@ -16,9 +17,8 @@ constexpr double youngs = 5e6, poisson = 0.25, restitution = 0.7, friction = 0.3
 constexpr double round_off = 1e-13;
 
 // Has one type, and the properties above.
-class Scene : public ContactHost {
+class Scene : public SilentHost {
  public:
-  Scene() : ContactHost("a test") {}
   int types() const override { return 1; }
   std::optional<PairTable<double>> pairs(const char* name) const override {
     const std::map<std::string, double> values = {{"coefficientRestitution", restitution},
@@ -32,31 +32,6 @@ class Scene : public ContactHost {
     return std::vector<double>{0.0, std::string(name) == "youngsModulus" ? youngs : poisson};
   }
   std::optional<double> scalar(const char*) const override { return std::nullopt; }
-  std::vector<std::string> property_names() const override { return {}; }
-  bool is_wall() const override { return false; }
-  std::string wall_id() const override { return ""; }
-  bool normal_model_is(const char*) const override { return false; }
-  int history_offset() const override { return -1; }
-  double smallest_radius() const override { return 0.0; }
-  double largest_radius() const override { return 0.0; }
-  int grains() const override { return 0; }
-  const double* radii() const override { return nullptr; }
-  const int* const* numbers() const override { return nullptr; }
-  GrainScalar grain_scalar(const char*) const override { return {}; }
-  GrainScalarLines grain_scalar_lines(const char*) const override { return {}; }
-  void send_to_ghosts(const GrainScalar&) override {}
-  std::int64_t step() const override { return 0; }
-  double timestep() const override { return 1e-6; }
-  MPI_Comm communicator() const override { return MPI_COMM_SELF; }
-  liquid::SceneLiquid& liquid() override { refuse("there is none."); }
-  void reach(double, double) override {}
-  void refuse_coarse_grains() const override {}
-  void refuse_unfit_run() const override {}
-  void warn(const std::string&) const override {}
-  void warn_from_here(const std::string&) const override {}
-
- protected:
-  void end_launch(const std::string& message) const override { throw Error(message); }
 };
 
 template <class Rolling>
