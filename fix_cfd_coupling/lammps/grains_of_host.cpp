@@ -43,7 +43,6 @@ contact::Grains grains_of(LAMMPS_NS::LAMMPS& host, int frozen, const BodyMasses&
   grains.force = rows(atom.f);
   grains.torque = rows(atom.torque);
   grains.owned = atom.nlocal;
-  grains.all = atom.nlocal + atom.nghost;
   grains.ghosts_take_forces = host.force->newton_pair != 0;
   grains.frozen = frozen;
   grains.body_mass = bodies.data();

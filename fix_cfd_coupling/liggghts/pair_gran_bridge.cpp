@@ -138,7 +138,6 @@ contact::Grains PairGranBridge::grains() const {
   grains.force = rows(atom->f);
   grains.torque = rows(atom->torque);
   grains.owned = atom->nlocal;
-  grains.all = atom->nlocal + atom->nghost;
   grains.ghosts_take_forces = force->newton_pair != 0;
   grains.frozen = freeze_group_bit();
   grains.body_mass = fr_pair() != nullptr ? mr_pair() : nullptr;

@@ -115,22 +115,9 @@ class Cloud {
       values.push_back(rows[i].data());
     }
     const auto vectors = [](auto& of) { return reinterpret_cast<double(*)[3]>(of.data()); };
-    const Grains grains{vectors(x),
-                        vectors(v),
-                        vectors(spin),
-                        radius.data(),
-                        mass.data(),
-                        type.data(),
-                        mask.data(),
-                        vectors(force),
-                        vectors(torque),
-                        owned,
-                        all,
-                        false,
-                        2,
-                        body_mass.data(),
-                        scene.timestep(),
-                        0,
+    const Grains grains{vectors(x),  vectors(v),  vectors(spin),    radius.data(),    mass.data(),
+                        type.data(), mask.data(), vectors(force),   vectors(torque),  owned,
+                        false,       2,           body_mass.data(), scene.timestep(), 0,
                         updates};
     const bool remembers = !stack.history().empty();
     stack.pairs(grains, {owned, numbers.data(), counts.data(), first.data(), ~0},

@@ -56,8 +56,8 @@ class Pair {
       for (auto& of_grain : *array)
         for (double& value : of_grain) value = 0.0;
     const int type[2] = {1, 1}, mask[2] = {1, 1};
-    const Grains grains{x, v, spin, radius, mass,    type, mask, force, torque,
-                        2, 2, true, 0,      nullptr, dt,   0,    true};
+    const Grains grains{x,      v, spin, radius, mass,    type, mask, force,
+                        torque, 2, true, 0,      nullptr, dt,   0,    true};
     const int i = 0, j = 1, count[2] = {1, 0};
     const int* first[2] = {&j, nullptr};
     int* uses[2] = {&in_use, nullptr};

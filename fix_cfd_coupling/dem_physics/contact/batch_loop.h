@@ -2,8 +2,8 @@
 // stack of laws. It is compiled in files of that instruction set (lane_stacks.cpp.in).
 #pragma once
 
-#include "fix_cfd_coupling/dem_physics/contact/batch_store.h"
 #include "fix_cfd_coupling/dem_physics/contact/contact_laws.h"
+#include "fix_cfd_coupling/dem_physics/contact/contact_queue.h"
 
 namespace gasgrain::contact {
 
@@ -14,9 +14,10 @@ struct Avx512 {
   static constexpr int lanes = 8;
 };
 
-// As ContactLoop::pairs(), of laws that fit lanes. `store` has place for all grains and queues.
+// As ContactLoop::pairs(), of laws that fit lanes. `queues`: one for each pair of types, at its
+// place in a PairTable, empty before and after.
 template <class Isa, class Laws>
-void pairs_in_lanes(Laws& laws, BatchStore& store, const Grains& grains, const NeighbourList& list,
-                    const ContactRows& rows, ContactObserver* observer);
+void pairs_in_lanes(Laws& laws, ContactQueue* queues, const Grains& grains,
+                    const NeighbourList& list, const ContactRows& rows, ContactObserver* observer);
 
 }  // namespace gasgrain::contact

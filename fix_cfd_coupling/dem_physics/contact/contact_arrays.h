@@ -17,7 +17,6 @@ struct Grains {
   double (*force)[3];
   double (*torque)[3];
   int owned;                // grains of this rank
-  int all;                  // with its ghosts
   bool ghosts_take_forces;  // the host sums the forces on ghosts
   int frozen;               // bit of mask of grains that never move: their mass does not count
   const double* body_mass;  // where above 0: of the rigid body of which a grain is part; or null

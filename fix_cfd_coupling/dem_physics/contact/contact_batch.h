@@ -1,12 +1,10 @@
 // The loop over contacts of grains for several contacts at once (lanes.h), for laws without
 // cohesion. It gives the forces of ContactLoop::pairs() but for the order of sums and round-off.
 //
-// First the grains' state is put side by side, so that a neighbour is two or three cache lines and
-// comes into registers by whole vectors. Pairs that touch are then queued, without a branch on
-// whether they do; a full queue is computed, several contacts in each instruction, and what comes
-// of it is added to the grains one contact after the other: the order is that of the list, whatever
-// the number of lanes. A queue holds contacts of one pair of types, whose constants are the same in
-// all lanes.
+// Pairs that touch are queued, without a branch on whether they do; a full queue is computed,
+// several contacts in each instruction, and what comes of it is added to the grains one contact
+// after the other: the order is that of the list, whatever the number of lanes. A queue holds
+// contacts of one pair of types, whose constants are the same in all lanes.
 //
 // Only files that are compiled for an instruction set include this.
 #pragma once
@@ -20,21 +18,14 @@ namespace gasgrain::contact {
 template <class Isa, class Laws>
 class ContactBatch {
  public:
-  ContactBatch(Laws& laws, BatchStore& store, const Grains& grains, ContactObserver* observer)
-      : laws_(laws),
-        states_(store.states.data()),
-        pushes_(store.pushes.data()),
-        queues_(store.queues.data()),
-        grains_(grains),
-        observer_(observer) {}
+  ContactBatch(Laws& laws, ContactQueue* queues, const Grains& grains, ContactObserver* observer)
+      : laws_(laws), queues_(queues), grains_(grains), observer_(observer) {}
 
   void pairs(const NeighbourList& list, const ContactRows& rows) {
-    take_grains();
     if (laws_.tangential.types() == 1)
       find_contacts<true>(list, rows);
     else
       find_contacts<false>(list, rows);
-    give_forces();
   }
 
  private:
@@ -49,30 +40,10 @@ class ContactBatch {
     return *reinterpret_cast<const Quad*>(of);
   }
 
-  [[gnu::noinline]] void take_grains() {
-    const Grains grains = grains_;
-    for (int k = 0; k < grains.all; ++k) {
-      GrainState& state = states_[k];
-      quad(state.place) = Quad{grains.x[k][0], grains.x[k][1], grains.x[k][2], grains.radius[k]};
-      quad(state.motion) = Quad{grains.v[k][0], grains.v[k][1], grains.v[k][2], grains.inertia(k)};
-      const double frozen = (grains.mask[k] & grains.frozen) != 0 ? 1.0 : 0.0;
-      quad(state.turning) = Quad{grains.spin[k][0], grains.spin[k][1], grains.spin[k][2], frozen};
-      quad(pushes_[k].force) = quad(pushes_[k].torque) = Quad{};
-    }
-  }
-
-  [[gnu::noinline]] void give_forces() {
-    const int count = grains_.ghosts_take_forces ? grains_.all : grains_.owned;
-    for (int k = 0; k < count; ++k)
-      for (int d = 0; d < 3; ++d) {
-        grains_.force[k][d] += pushes_[k].force[d];
-        grains_.torque[k][d] += pushes_[k].torque[d];
-      }
-  }
-
   template <bool of_one_type>
   [[gnu::noinline]] void find_contacts(const NeighbourList& list, const ContactRows& rows) {
-    const GrainState* const states = states_;
+    const Grains::Vectors x = grains_.x;
+    const double* const radius = grains_.radius;
     const int row_width = rows.width;
     const int index = list.index;
     ContactQueue* queue = queues_ + laws_.tangential.place(1, 1);
@@ -83,10 +54,10 @@ class ContactBatch {
       const int number = list.neighbours[i];
       [[maybe_unused]] int* in_use = width > 0 ? rows.in_use[i] : nullptr;
       [[maybe_unused]] double* row = width > 0 ? rows.values[i] : nullptr;
-      const Quad at = quad(states[i].place);
+      const Quad at = quad_of(x[i], radius[i]);
       for (int m = 0; m < number; ++m) {
         const int j = neighbours[m] & index;
-        const Quad delta = at + quad(states[j].place) * Quad{-1.0, -1.0, -1.0, 1.0};
+        const Quad delta = at + quad_of(x[j], radius[j]) * Quad{-1.0, -1.0, -1.0, 1.0};
         const Quad squares = delta * delta;
         const bool touch = squares[0] + squares[1] + squares[2] < squares[3];
         if constexpr (!of_one_type) {
@@ -131,6 +102,11 @@ class ContactBatch {
     for (int k = 0; k < count; k += lanes) compute(queue, k, count - k < lanes ? count - k : lanes);
   }
 
+  // 1 of a grain that never moves.
+  [[gnu::always_inline]] inline double frozen(int k) const {
+    return grains_.frozen != 0 && (grains_.mask[k] & grains_.frozen) != 0 ? 1.0 : 0.0;
+  }
+
   [[gnu::always_inline]] inline void gather(const ContactQueue& queue, int begin,
                                             TouchOf<Real>& touch, TripleOf<Real>& velocity) {
     Quad quads[lanes];
@@ -145,26 +121,26 @@ class ContactBatch {
 
     const int* i = queue.i + begin;
     const int* j = queue.j + begin;
-    for (int k = 0; k < lanes; ++k) touch.radius_i.of[k] = states_[i[k]].place[3];
+    for (int k = 0; k < lanes; ++k) touch.radius_i.of[k] = grains_.radius[i[k]];
     touch.radius_j = sum - touch.radius_i;
     touch.reduced_radius = touch.radius_i * touch.radius_j / sum;
 
-    for (int k = 0; k < lanes; ++k) quads[k] = quad(states_[i[k]].motion);
+    for (int k = 0; k < lanes; ++k) quads[k] = quad_of(grains_.v[i[k]], grains_.inertia(i[k]));
     columns_of(quads, columns);
     velocity = {columns[0], columns[1], columns[2]};
     touch.mass_i = columns[3];
-    for (int k = 0; k < lanes; ++k) quads[k] = quad(states_[j[k]].motion);
+    for (int k = 0; k < lanes; ++k) quads[k] = quad_of(grains_.v[j[k]], grains_.inertia(j[k]));
     columns_of(quads, columns);
     velocity -= {columns[0], columns[1], columns[2]};
     touch.mass_j = columns[3];
 
     touch.reduced_mass = touch.mass_i * touch.mass_j / (touch.mass_i + touch.mass_j);
-    for (int k = 0; k < lanes; ++k) quads[k] = quad(states_[i[k]].turning);
+    for (int k = 0; k < lanes; ++k) quads[k] = quad_of(grains_.spin[i[k]], frozen(i[k]));
     columns_of(quads, columns);
     touch.spin_i = {columns[0], columns[1], columns[2]};
     if (grains_.frozen != 0)
       touch.reduced_mass = select(columns[3] > 0.0, touch.mass_j, touch.reduced_mass);
-    for (int k = 0; k < lanes; ++k) quads[k] = quad(states_[j[k]].turning);
+    for (int k = 0; k < lanes; ++k) quads[k] = quad_of(grains_.spin[j[k]], frozen(j[k]));
     columns_of(quads, columns);
     touch.spin_j = {columns[0], columns[1], columns[2]};
     if (grains_.frozen != 0)
@@ -213,12 +189,13 @@ class ContactBatch {
     quads_of({torque_i.x, torque_i.y, torque_i.z, 0.0}, twists_i);
     quads_of({torque_j.x, torque_j.y, torque_j.z, 0.0}, twists_j);
     for (int k = 0; k < count; ++k) {
-      GrainPush& on_i = pushes_[queue.i[begin + k]];
-      GrainPush& on_j = pushes_[queue.j[begin + k]];
-      quad(on_i.force) += pushes[k];
-      quad(on_i.torque) += twists_i[k];
-      quad(on_j.force) -= pushes[k];
-      quad(on_j.torque) += twists_j[k];
+      const int i = queue.i[begin + k], j = queue.j[begin + k];
+      add_to(grains_.force[i], pushes[k]);
+      add_to(grains_.torque[i], twists_i[k]);
+      if (grains_.ghosts_take_forces || j < grains_.owned) {
+        add_to(grains_.force[j], -pushes[k]);
+        add_to(grains_.torque[j], twists_j[k]);
+      }
     }
     if (observer_ == nullptr) return;
     for (int k = 0; k < count; ++k) {
@@ -229,17 +206,15 @@ class ContactBatch {
   }
 
   Laws& laws_;
-  GrainState* states_;
-  GrainPush* pushes_;
   ContactQueue* queues_;
   const Grains grains_;
   ContactObserver* observer_;
 };
 
 template <class Isa, class Laws>
-void pairs_in_lanes(Laws& laws, BatchStore& store, const Grains& grains, const NeighbourList& list,
-                    const ContactRows& rows, ContactObserver* observer) {
-  ContactBatch<Isa, Laws>(laws, store, grains, observer).pairs(list, rows);
+void pairs_in_lanes(Laws& laws, ContactQueue* queues, const Grains& grains,
+                    const NeighbourList& list, const ContactRows& rows, ContactObserver* observer) {
+  ContactBatch<Isa, Laws>(laws, queues, grains, observer).pairs(list, rows);
 }
 
 }  // namespace gasgrain::contact

@@ -99,11 +99,11 @@ class CompiledStack final : public ContactStack {
     if constexpr (Laws::fit_lanes) {
       if (instructions_ != InstructionSet::portable) {
         const int types = loop_.laws.tangential.types();
-        store_.make_place(grains.all, loop_.laws.tangential.place(types, types) + 1);
+        queues_.resize(loop_.laws.tangential.place(types, types) + 1);
         if (instructions_ == InstructionSet::avx512)
-          pairs_in_lanes<Avx512>(loop_.laws, store_, grains, list, rows, observer);
+          pairs_in_lanes<Avx512>(loop_.laws, queues_.data(), grains, list, rows, observer);
         else
-          pairs_in_lanes<Avx2>(loop_.laws, store_, grains, list, rows, observer);
+          pairs_in_lanes<Avx2>(loop_.laws, queues_.data(), grains, list, rows, observer);
         return;
       }
     }
@@ -137,7 +137,7 @@ class CompiledStack final : public ContactStack {
   }
 
   ContactLoop<Laws> loop_;
-  BatchStore store_;
+  std::vector<ContactQueue> queues_;
   InstructionSet instructions_ = InstructionSet::portable;
   bool of_wall_;
 };

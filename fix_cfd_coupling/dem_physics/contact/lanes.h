@@ -80,6 +80,22 @@ struct Lanes {
   }
 };
 
+using TwoSideBySide [[gnu::vector_size(16), gnu::may_alias]] = double;
+struct [[gnu::packed]] Two {
+  TwoSideBySide of;
+};
+
+// A vector and one number more.
+[[gnu::always_inline]] inline Quad quad_of(const double* vector, double last) {
+  const TwoSideBySide two = reinterpret_cast<const Two*>(vector)->of;
+  return Quad{two[0], two[1], vector[2], last};
+}
+[[gnu::always_inline]] inline void add_to(double* vector, const Quad& what) {
+  Two& two = *reinterpret_cast<Two*>(vector);
+  two.of = two.of + TwoSideBySide{what[0], what[1]};
+  vector[2] += what[2];
+}
+
 // Four quads to one register for each of their places, and back.
 [[gnu::always_inline]] inline void turn(const Quad from[4], Quad to[4]) {
   const Quad a = __builtin_shufflevector(from[0], from[1], 0, 4, 2, 6);
