@@ -6,7 +6,7 @@ import signal
 import time
 import unittest
 
-from coupled_launch import COUPLE, Scene, pids_of
+from coupled_launch import COUPLE, Scene, pids_left_of, pids_of
 
 SOON = 10.0  # s
 
@@ -105,8 +105,8 @@ class Errors(unittest.TestCase):
             process.communicate(timeout=SOON)
             self.assertLess(time.monotonic() - begin, SOON)
             self.assertNotEqual(process.returncode, 0)
-            self.assertEqual(pids_of("gasgrain-gas", scene.folder), [])
-            self.assertEqual(pids_of("gasgrain-liggghts", scene.folder), [])
+            self.assertEqual(pids_left_of("gasgrain-gas", scene.folder), [])
+            self.assertEqual(pids_left_of("gasgrain-liggghts", scene.folder), [])
             rows = scene.history()  # what was written is readable
             self.assertGreater(len(rows), 3)
 

@@ -154,3 +154,11 @@ def pids_of(program, folder):
         if command[0].endswith(program.encode()) and place == str(folder):
             found.append(int(entry.name))
     return found
+
+
+def pids_left_of(program, folder, patience=5.0):
+    """Those that still run after the launch has ended; one that is killed takes a moment to be gone."""
+    end = time.monotonic() + patience
+    while (found := pids_of(program, folder)) and time.monotonic() < end:
+        time.sleep(0.05)
+    return found

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import h5py
 
-from coupled_launch import BIN, COUPLE, HOST, SOURCE, Scene, command_of, in_words_of, pids_of
+from coupled_launch import BIN, COUPLE, HOST, SOURCE, Scene, command_of, in_words_of, pids_left_of
 
 SOON = 20.0  # s, on a machine that does other things too
 ONE_PLACE = """\
@@ -67,7 +67,7 @@ class Watch(unittest.TestCase):
             self.assertNotEqual(status, 0, text)
             self.assertLess(seconds, SOON, text)
             for program in ("gasgrain-gas", command_of(HOST, BIN)[0].rpartition("/")[2]):
-                self.assertEqual(pids_of(program, scene.folder), [])
+                self.assertEqual(pids_left_of(program, scene.folder), [])
             told = messages(text)
             self.assertEqual(len(told), 1, text)
             for word in words:
