@@ -9,7 +9,7 @@
 
 namespace gasgrain::contact {
 
-// Four doubles side by side, as a grain's state has them.
+// Four doubles side by side: a vector in space and one number more.
 using Quad [[gnu::vector_size(32), gnu::may_alias]] = double;
 
 template <int lanes>
@@ -85,7 +85,7 @@ struct [[gnu::packed]] Two {
   TwoSideBySide of;
 };
 
-// A vector and one number more.
+// The host has three doubles of a grain side by side, aligned for one.
 [[gnu::always_inline]] inline Quad quad_of(const double* vector, double last) {
   const TwoSideBySide two = reinterpret_cast<const Two*>(vector)->of;
   return Quad{two[0], two[1], vector[2], last};
