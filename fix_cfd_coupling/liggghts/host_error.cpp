@@ -67,6 +67,9 @@ std::string hint(const std::string& message) {
   if (message.find("fix style") != std::string::npos) {
     word = quoted('"');
     known = names_of(fix_map(*host));
+  } else if (message.find("Invalid pair style") != std::string::npos && host->input->narg > 0) {
+    word = host->input->arg[0];
+    known = names_of(*host->force->pair_map);
   } else if (message.find("Unknown command: ") == 0) {
     word = message.substr(17, message.find(' ', 17) - 17);
     known = names_of(command_map(*host));
