@@ -115,7 +115,9 @@ class ContactBatch {
     columns_of(quads, columns);
     const TripleOf<Real> delta{columns[0], columns[1], columns[2]};
     const Real sum = columns[3];
-    touch.distance = delta.norm();
+    // Those who found the contact rounded otherwise: one that grazes must not be apart.
+    const Real distance = delta.norm();
+    touch.distance = select(distance < sum, distance, sum);
     touch.normal = (1.0 / touch.distance) * delta;
     touch.overlap = sum - touch.distance;
 
