@@ -17,6 +17,7 @@
 #include "fix_cfd_coupling/fixes/host_error.h"
 #include "fix_cfd_coupling/liggghts/contact_styles.h"
 #include "fix_cfd_coupling/liggghts/fix_contact_history_packed.h"
+#include "fix_cfd_coupling/liggghts/fix_wall_gran_fused.h"
 #include "fix_cfd_coupling/liggghts/host_access.h"
 #include "fix_cfd_coupling/liggghts/neighbor_sorted.h"
 #include "fix_cfd_coupling/liggghts/pair_gran_bridge.h"
@@ -62,6 +63,7 @@ void register_styles(LAMMPS_NS::LAMMPS& host) {
   for (const char* name : {"collisional_exchange", "exchange/bgk"})
     gasgrain::fix_map(host)[name] = &make_fix<LAMMPS_NS::FixCollisionalExchange>;
   // In the place of the host's own.
+  gasgrain::fix_map(host)["wall/gran"] = &make_fix<LAMMPS_NS::FixWallGranFused>;
   gasgrain::fix_map(host)["contacthistory"] = &make_fix<LAMMPS_NS::FixContactHistoryPacked>;
   gasgrain::command_map(host)["plugin"] = &gasgrain::plugin_command;
 }

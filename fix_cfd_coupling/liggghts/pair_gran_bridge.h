@@ -10,11 +10,8 @@
 #define GASGRAIN_LIGGGHTS_PAIR_GRAN_BRIDGE_H
 
 #include <memory>
-#include <string>
-#include <vector>
 
-#include "fix_cfd_coupling/dem_physics/contact/contact_words.h"
-#include "fix_cfd_coupling/liggghts/contact_host_liggghts.h"
+#include "fix_cfd_coupling/liggghts/compiled_contact.h"
 // The host's headers lean on each other's order.
 #include "fix_insert_stream.h"
 // --
@@ -57,9 +54,8 @@ class [[gnu::visibility("default")]] PairGranBridge final
   void tell(LCM::SurfacesIntersectData & data, LCM::ForceData & on_i, LCM::ForceData & on_j,
             bool to_compute);
 
-  gasgrain::contact::ContactChoice choice_;
-  bool frictionless_ = false;
-  std::vector<std::unique_ptr<gasgrain::ContactHostLiggghts>> hosts_;  // one for each law
+  std::unique_ptr<gasgrain::CompiledContact> contact_;
+  bool said_how_ = false;  // it computes
 };
 
 }  // namespace LAMMPS_NS

@@ -57,8 +57,8 @@ void PairGranBridge::compute_and_tell(int addflag) {
       double* row = kept.values != nullptr ? kept.values[i] + m * kept.width : nullptr;
       if (square >= factor * factor * sum * sum && (use == nullptr || *use == 0)) continue;
       contact::Push push;
-      if (!choice_.stack->pair(of_step, i, j, delta, use, row, push)) continue;
-      if (!choice_.stack->has_cohesion()) push.force_j = -push.force_i;
+      if (!contact_->stack().pair(of_step, i, j, delta, use, row, push)) continue;
+      if (!contact_->stack().has_cohesion()) push.force_j = -push.force_i;
 
       // What the computes of the host, and tell(), read of its data.
       LCM::ForceData on_i, on_j;

@@ -127,6 +127,27 @@ class Fused(unittest.TestCase):
             one, other = (states(self.moved(style, CONTACT, body, ranks=ranks))[100] for style in STYLES)
             self.assertLess(differ(one, other, FORCES[:3]), ROUND_OFF)
 
+    def test_walls_that_the_hosts_models_take_are_told_of_and_do_the_same(self):
+        plain = "fix floor all wall/gran {contact} primitive type 2 zplane 0.001"
+        body = "group clump id < 9\ngroup rest subtract all clump\nfix body clump rigid single\nneigh_modify exclude group clump clump\n"
+        for before, line, says in (
+                ("", plain, None),
+                ("", plain + " store_force yes", "forces or energies of its contacts are stored"),
+                ("", plain + " shear x 0.1", "of its 'shear'"),
+                ("group some id > 30\n", plain.replace(" all ", " some "), "its group is not 'all'"),
+                (body, plain, "of 'fix rigid'")):
+            files = []
+            for style in STYLES:
+                status, output, written = launch(head() + pair(style, CONTACT) + before + line.format(contact=CONTACT)
+                                                 + "\nfix move all nve/sphere\n" + dump(every=20) + NEW_LISTS + "run 20")
+                self.assertEqual(status, 0, output[-2000:])
+                files.append(written)
+                told = "fix floor wall/gran: LIGGGHTS's own models take its contacts, because"
+                self.assertEqual(output.count(told), int(says is not None and style != "gran"), output[-2000:])
+                if says is not None and style != "gran":
+                    self.assertIn(f"{told} {says}\n", output)
+            self.assertLess(differ(*(states(text)[20] for text in files), FORCES[:3]), ROUND_OFF, line)
+
     def test_what_it_does_not_take_is_refused_with_a_way_out(self):
         for line, says in (("pair_style gran/bridge model hertz tangential history heating_tracking on",
                             "\"heating_tracking\" is unknown to these models"),
@@ -147,6 +168,15 @@ class Fused(unittest.TestCase):
         stock = results(script.replace("gran/bridge", "gran"))
         self.assertEqual(results(script, GASGRAIN_PAIR_STYLE="gran")["state.txt"], stock["state.txt"])
         self.assertNotEqual(results(script)["state.txt"], stock["state.txt"])
+
+    def test_a_run_says_with_which_instructions_contacts_are_computed(self):
+        for cohesion in ("off", "van_der_waals"):  # of cohesion one contact comes after the other
+            lines, words = lines_of(cohesion)
+            script = head(data=lines) + pair("gran/bridge", contact_of("hertz", "history", "epsd", cohesion), words) + MOVE
+            _, output, _ = launch(script + "run 1\nrun 1", GASGRAIN_INSTRUCTIONS="portable")
+            self.assertEqual(output.count("pair_style gran/bridge: instructions portable\n"), 1, output)
+        _, output, _ = launch(head() + pair("gran/bridge", CONTACT) + MOVE + "run 1", GASGRAIN_INSTRUCTIONS="avx3")
+        self.assertIn("GASGRAIN_INSTRUCTIONS=avx3 is not of this machine", output)
 
 
 if __name__ == "__main__":

@@ -102,6 +102,33 @@ class Cloud {
       }
   }
 
+  Grains grains(const Scene& scene, bool updates) {
+    const auto vectors = [](auto& of) { return reinterpret_cast<double(*)[3]>(of.data()); };
+    return {vectors(x),  vectors(v),  vectors(spin),    radius.data(),    mass.data(),
+            type.data(), mask.data(), vectors(force),   vectors(torque),  owned,
+            false,       2,           body_mass.data(), scene.timestep(), 0,
+            updates};
+  }
+
+  // `flags_apart`: whether a row is in use does not stand in the row.
+  void act_at_wall(ContactStack& stack, const Scene& scene, const PrimitiveWall& shape,
+                   int material, bool flags_apart, ContactObserver* told) {
+    std::vector<int> near, uses;
+    std::vector<double*> values;
+    for (int i = 0; i < owned; ++i) {
+      at_wall[i].resize(width + 1, 1e-7);  // touched before, all of them
+      values.push_back(at_wall[i].data());
+      if (i % 5 == 0) continue;
+      near.push_back(i);
+      uses.push_back(1);
+    }
+    const bool remembers = !stack.history().empty();
+    stack.wall(grains(scene, true),
+               {static_cast<int>(near.size()), near.data(), remembers ? values.data() : nullptr,
+                remembers && flags_apart ? uses.data() : nullptr},
+               shape, material, told);
+  }
+
   void act(ContactStack& stack, const Scene& scene, bool updates, ContactObserver* told) {
     std::vector<int> numbers, counts;
     std::vector<const int*> first;
@@ -114,13 +141,8 @@ class Cloud {
       uses.push_back(in_use[i].data());
       values.push_back(rows[i].data());
     }
-    const auto vectors = [](auto& of) { return reinterpret_cast<double(*)[3]>(of.data()); };
-    const Grains grains{vectors(x),  vectors(v),  vectors(spin),    radius.data(),    mass.data(),
-                        type.data(), mask.data(), vectors(force),   vectors(torque),  owned,
-                        false,       2,           body_mass.data(), scene.timestep(), 0,
-                        updates};
     const bool remembers = !stack.history().empty();
-    stack.pairs(grains, {owned, numbers.data(), counts.data(), first.data(), ~0},
+    stack.pairs(grains(scene, updates), {owned, numbers.data(), counts.data(), first.data(), ~0},
                 remembers ? ContactRows{uses.data(), values.data(), width} : ContactRows{}, told);
   }
 
@@ -128,7 +150,7 @@ class Cloud {
   std::vector<double> radius, mass, body_mass;
   std::vector<int> type, mask;
   std::vector<std::vector<int>> neighbours, in_use;
-  std::vector<std::vector<double>> rows;
+  std::vector<std::vector<double>> rows, at_wall = std::vector<std::vector<double>>(owned);
 };
 
 // Greatest difference, of the greatest value.
@@ -199,6 +221,48 @@ TEST_P(contact_batch, every_instruction_set_gives_the_forces_of_one_contact_afte
           }
         }
       }
+}
+
+TEST_P(contact_batch, every_instruction_set_gives_the_forces_of_walls_one_after_the_other) {
+  PrimitiveWall plane, cylinder;
+  plane.axis = 1;
+  plane.place = -0.005;
+  plane.velocity = {0.1, 0.0, -0.2};
+  cylinder.axis = 2;
+  cylinder.round = true;
+  cylinder.radius = 0.0055;
+  cylinder.centre = {0.0003, -0.0002};
+  for (const int types : {1, 3})
+    for (const bool flags_apart : {true, false}) {
+      const Scene scene(types);
+      std::map<InstructionSet, Cloud> clouds;
+      std::map<InstructionSet, Told> told;
+      for (const auto set : instruction_sets_here()) {
+        const auto stack = ContactStacks::known().make(GetParam(), true);
+        Words words(false);
+        stack->words(words);
+        Scene host(types);
+        stack->connect(GetParam(), [&](const std::string&, int) -> ContactHost& { return host; });
+        stack->set_instructions(set);
+        Cloud& cloud = clouds.emplace(set, Cloud(types)).first->second;
+        for (const auto& shape : {plane, cylinder, plane})
+          cloud.act_at_wall(*stack, scene, shape, types, flags_apart, &told[set]);
+      }
+      const Cloud& expected = clouds.at(InstructionSet::portable);
+      const Told& expected_told = told.at(InstructionSet::portable);
+      ASSERT_GT(expected_told.contacts.size(), 30U);
+      for (const auto& [set, cloud] : clouds) {
+        EXPECT_LT(difference(expected.force, cloud.force), round_off) << name_of(set);
+        EXPECT_LT(difference(expected.torque, cloud.torque), round_off) << name_of(set);
+        EXPECT_LT(difference(expected.at_wall, cloud.at_wall), round_off) << name_of(set);
+        ASSERT_EQ(told.at(set).contacts.size(), expected_told.contacts.size());
+        for (const auto& [pair, what] : told.at(set).contacts) {
+          const auto& [force, delta] = expected_told.contacts.at(pair);
+          EXPECT_LT((what.first - force).norm(), round_off * (1e-3 + force.norm()));
+          EXPECT_LT((what.second - delta).norm(), round_off * delta.norm());
+        }
+      }
+    }
 }
 
 TEST_P(contact_batch, contacts_that_graze_have_finite_forces_with_every_instruction_set) {

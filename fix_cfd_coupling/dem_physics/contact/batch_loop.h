@@ -20,4 +20,10 @@ template <class Isa, class Laws>
 void pairs_in_lanes(Laws& laws, ContactQueue* queues, const Grains& grains,
                     const NeighbourList& list, const ContactRows& rows, ContactObserver* observer);
 
+// As ContactLoop::wall(), likewise.
+template <class Isa, class Laws>
+void wall_in_lanes(Laws& laws, ContactQueue* queues, const Grains& grains,
+                   const WallNeighbours& near, const PrimitiveWall& shape, int type,
+                   ContactObserver* observer);
+
 }  // namespace gasgrain::contact

@@ -44,12 +44,24 @@ struct ContactRows {
   int width = 0;
 };
 
-// Grains that are or may come near to a wall, and a row of `width` + 1 doubles for each grain of
-// the rank, the last one whether it is in use.
+// Grains that are or may come near to a wall, each once, and a row of doubles for each grain of the
+// rank. Whether the row of the n-th of them is in use stands in in_use[n], or, where that is null,
+// in the double after the row's values, of which there are `width`.
 struct WallNeighbours {
   int count;
   const int* grains;
   double* const* rows;  // of grain i, or null
+  int* in_use = nullptr;
+
+  [[nodiscard]] [[gnu::always_inline]] inline bool is_in_use(int n, int width) const {
+    return in_use != nullptr ? in_use[n] != 0 : rows[grains[n]][width] != 0.0;
+  }
+  [[gnu::always_inline]] inline void set_in_use(int n, int width, bool yes) const {
+    if (in_use != nullptr)
+      in_use[n] = static_cast<int>(yes);
+    else
+      rows[grains[n]][width] = static_cast<double>(yes);
+  }
 };
 
 // Told of each contact that acts: force on i [N], from j or the wall to i [m].

@@ -28,6 +28,33 @@ class ContactBatch {
       find_contacts<false>(list, rows);
   }
 
+  // Grains near to the wall are far apart in memory: what a contact needs is asked for when the
+  // contact is found, and has come when it is computed.
+  void wall(const WallNeighbours& near, const PrimitiveWall& shape, int type) {
+    wall_ = &shape;
+    for (int n = 0; n < near.count; ++n) {
+      const int i = near.grains[n];
+      Triple to_grain;
+      const double radius = grains_.radius[i];
+      const bool touch = shape.reach(grains_.x[i], to_grain) <= radius;
+      ContactQueue& queue = queues_[laws_.tangential.place(grains_.type[i], type)];
+      const int last = queue.count;
+      queue.i[last] = queue.j[last] = i;
+      quad(queue.delta[last]) = Quad{to_grain.x, to_grain.y, to_grain.z, radius};
+      if constexpr (width > 0) {
+        double* row = near.rows[i];
+        queue.row[last] = row;
+        const bool was_in_use = near.is_in_use(n, width);
+        if (was_in_use && !touch) laws_.forget_touch(row);
+        if (was_in_use != touch) near.set_in_use(n, width, touch);
+      }
+      if (touch) ask_for(i);
+      queue.count = last + static_cast<int>(touch);
+      if (__builtin_expect(queue.count == ContactQueue::capacity, 0)) compute(queue, queue.count);
+    }
+    compute_rest();
+  }
+
  private:
   using Real = Lanes<Isa>;
   static constexpr int lanes = Isa::lanes;
@@ -82,12 +109,24 @@ class ContactBatch {
       }
     }
     if constexpr (of_one_type) queue->count = last;
+    compute_rest();
+  }
+
+  void compute_rest() {
     const int types = laws_.tangential.types();
     for (int a = 1; a <= types; ++a)
       for (int b = 1; b <= types; ++b) {
         ContactQueue& rest = queues_[laws_.tangential.place(a, b)];
         compute(rest, rest.count);
       }
+  }
+
+  [[gnu::always_inline]] inline void ask_for(int i) const {
+    __builtin_prefetch(grains_.v[i]);
+    __builtin_prefetch(grains_.spin[i]);
+    __builtin_prefetch(grains_.mass + i);
+    __builtin_prefetch(grains_.force[i], 1);
+    __builtin_prefetch(grains_.torque[i], 1);
   }
 
   [[gnu::noinline]] void compute(ContactQueue& queue, int count) {
@@ -123,6 +162,10 @@ class ContactBatch {
 
     const int* i = queue.i + begin;
     const int* j = queue.j + begin;
+    if (wall_ != nullptr) {
+      gather_at_wall(i, sum, touch, velocity);
+      return;
+    }
     for (int k = 0; k < lanes; ++k) touch.radius_i.of[k] = grains_.radius[i[k]];
     touch.radius_j = sum - touch.radius_i;
     touch.reduced_radius = touch.radius_i * touch.radius_j / sum;
@@ -147,6 +190,27 @@ class ContactBatch {
     touch.spin_j = {columns[0], columns[1], columns[2]};
     if (grains_.frozen != 0)
       touch.reduced_mass = select(columns[3] > 0.0, touch.mass_i, touch.reduced_mass);
+  }
+
+  [[gnu::always_inline]] inline void gather_at_wall(const int* i, const Real& radius,
+                                                    TouchOf<Real>& touch,
+                                                    TripleOf<Real>& velocity) {
+    Quad quads[lanes];
+    Real columns[4];
+    touch.is_wall = true;
+    touch.radius_i = touch.reduced_radius = radius;
+    if constexpr (Laws::levers_are_radii)
+      if (wall_->round)
+        for (int k = 0; k < lanes; ++k)
+          touch.reduced_radius.of[k] = wall_->reduced_radius(grains_.x[i[k]], radius.of[k]);
+    for (int k = 0; k < lanes; ++k) quads[k] = quad_of(grains_.v[i[k]], grains_.inertia(i[k]));
+    columns_of(quads, columns);
+    velocity = {columns[0] - wall_->velocity[0], columns[1] - wall_->velocity[1],
+                columns[2] - wall_->velocity[2]};
+    touch.mass_i = touch.mass_j = touch.reduced_mass = columns[3];
+    for (int k = 0; k < lanes; ++k) quads[k] = quad_of(grains_.spin[i[k]], 0.0);
+    columns_of(quads, columns);
+    touch.spin_i = {columns[0], columns[1], columns[2]};
   }
 
   [[gnu::always_inline]] inline void read_rows(double* const* row, Real* stored) {
@@ -194,6 +258,7 @@ class ContactBatch {
       const int i = queue.i[begin + k], j = queue.j[begin + k];
       add_to(grains_.force[i], pushes[k]);
       add_to(grains_.torque[i], twists_i[k]);
+      if (wall_ != nullptr) continue;
       if (grains_.ghosts_take_forces || j < grains_.owned) {
         add_to(grains_.force[j], -pushes[k]);
         add_to(grains_.torque[j], twists_j[k]);
@@ -202,7 +267,7 @@ class ContactBatch {
     if (observer_ == nullptr) return;
     for (int k = 0; k < count; ++k) {
       const double* delta = queue.delta[begin + k];
-      observer_->acts(queue.i[begin + k], queue.j[begin + k],
+      observer_->acts(queue.i[begin + k], wall_ != nullptr ? -1 : queue.j[begin + k],
                       {pushes[k][0], pushes[k][1], pushes[k][2]}, {delta[0], delta[1], delta[2]});
     }
   }
@@ -211,12 +276,20 @@ class ContactBatch {
   ContactQueue* queues_;
   const Grains grains_;
   ContactObserver* observer_;
+  const PrimitiveWall* wall_ = nullptr;  // in the place of all j
 };
 
 template <class Isa, class Laws>
 void pairs_in_lanes(Laws& laws, ContactQueue* queues, const Grains& grains,
                     const NeighbourList& list, const ContactRows& rows, ContactObserver* observer) {
   ContactBatch<Isa, Laws>(laws, queues, grains, observer).pairs(list, rows);
+}
+
+template <class Isa, class Laws>
+void wall_in_lanes(Laws& laws, ContactQueue* queues, const Grains& grains,
+                   const WallNeighbours& near, const PrimitiveWall& shape, int type,
+                   ContactObserver* observer) {
+  ContactBatch<Isa, Laws>(laws, queues, grains, observer).wall(near, shape, type);
 }
 
 }  // namespace gasgrain::contact

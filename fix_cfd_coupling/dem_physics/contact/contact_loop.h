@@ -122,9 +122,12 @@ class ContactLoop {
       Triple delta;
       const double distance = shape.reach(grains.x[i], delta);
       double* row = near.rows != nullptr ? near.rows[i] : nullptr;
-      double* use = row != nullptr ? row + laws.places.width : nullptr;
+      const bool was_in_use = row != nullptr && near.is_in_use(n, laws.places.width);
+      bool in_use = was_in_use;
       Push push;
-      if (!at_wall(grains, i, shape, type, delta, distance, use, row, push)) continue;
+      const bool acts = at_wall(grains, i, shape, type, delta, distance, in_use, row, push);
+      if (row != nullptr && in_use != was_in_use) near.set_in_use(n, laws.places.width, in_use);
+      if (!acts) continue;
       push.force_i.add_to(grains.force[i]);
       push.torque_i.add_to(grains.torque[i]);
       if (observer != nullptr) observer->acts(i, -1, push.force_i, delta);
@@ -167,11 +170,10 @@ class ContactLoop {
   }
 
   bool at_wall(const Grains& grains, int i, const PrimitiveWall& shape, int type,
-               const Triple& delta, double distance, double* use, double* row, Push& push) {
+               const Triple& delta, double distance, bool& in_use, double* row, Push& push) {
     const double radius = grains.radius[i];
     const bool apart = distance > radius;
-    const bool was_used = use != nullptr && *use != 0.0;
-    if (apart && !was_used && !Laws::has_cohesion) return false;
+    if (apart && !in_use && !Laws::has_cohesion) return false;
     ContactView view;
     if constexpr (shows_views) {
       view.i = i;
@@ -190,12 +192,12 @@ class ContactLoop {
       view.omega_i = grains.spin[i];
       view.omega_j = nullptr;
       of_grain(grains, view);
-      view.keep = was_used;
+      view.keep = in_use;
     }
     if (apart) {
-      if (was_used) laws.forget_touch(row);
+      if (in_use) laws.forget_touch(row);
       const bool acts = laws.apart(view, row, push);
-      if (use != nullptr) *use = Laws::has_cohesion && view.keep ? 1.0 : 0.0;
+      in_use = Laws::has_cohesion && view.keep;
       return acts;
     }
     Touch touch;
@@ -213,7 +215,7 @@ class ContactLoop {
     touch.types = laws.tangential.place(grains.type[i], type);
     touch.updates = grains.updates;
     touch.step = grains.dt;
-    if (use != nullptr) *use = 1.0;
+    in_use = true;
     laws.touching(touch, Triple::of(grains.v[i]) - Triple::of(shape.velocity.data()), view, row,
                   push);
     return true;

@@ -36,7 +36,8 @@ class ContactStack {
   virtual void words(LawWords& words) = 0;
   virtual void connect(const StackName& name, const HostOfLaw& host_of) = 0;
   virtual void set_reach(const Reach& reach) = 0;
-  // Of pairs(); that of the machine unless said. Portable where the laws do not fit lanes.
+  // Of pairs() and wall(); that of the machine unless said. Portable where the laws do not fit
+  // lanes.
   virtual void set_instructions(InstructionSet set) = 0;
   [[nodiscard]] virtual InstructionSet instructions() const = 0;
   [[nodiscard]] virtual bool has_cohesion() const = 0;
@@ -97,15 +98,10 @@ class CompiledStack final : public ContactStack {
              ContactObserver* observer) override {
 #ifdef GASGRAIN_LANES
     if constexpr (Laws::fit_lanes) {
-      if (instructions_ != InstructionSet::portable) {
-        const int types = loop_.laws.tangential.types();
-        queues_.resize(loop_.laws.tangential.place(types, types) + 1);
-        if (instructions_ == InstructionSet::avx512)
-          pairs_in_lanes<Avx512>(loop_.laws, queues_.data(), grains, list, rows, observer);
-        else
-          pairs_in_lanes<Avx2>(loop_.laws, queues_.data(), grains, list, rows, observer);
-        return;
-      }
+      if (instructions_ == InstructionSet::avx512)
+        return pairs_in_lanes<Avx512>(loop_.laws, queues(), grains, list, rows, observer);
+      if (instructions_ == InstructionSet::avx2)
+        return pairs_in_lanes<Avx2>(loop_.laws, queues(), grains, list, rows, observer);
     }
 #endif
     loop_.pairs(grains, list, rows, observer);
@@ -118,6 +114,14 @@ class CompiledStack final : public ContactStack {
   }
   void wall(const Grains& grains, const WallNeighbours& near, const PrimitiveWall& shape, int type,
             ContactObserver* observer) override {
+#ifdef GASGRAIN_LANES
+    if constexpr (Laws::fit_lanes) {
+      if (instructions_ == InstructionSet::avx512)
+        return wall_in_lanes<Avx512>(loop_.laws, queues(), grains, near, shape, type, observer);
+      if (instructions_ == InstructionSet::avx2)
+        return wall_in_lanes<Avx2>(loop_.laws, queues(), grains, near, shape, type, observer);
+    }
+#endif
     loop_.wall(grains, near, shape, type, observer);
   }
   bool pair(const Grains& grains, int i, int j, const Triple& delta, int* use, double* row,
@@ -134,6 +138,12 @@ class CompiledStack final : public ContactStack {
     const int of_cohesion = static_cast<int>(Cohesion::history(of_wall_).size());
     places.cohesion = tangential == of_cohesion ? 0 : places.touch_end;
     places.width = places.touch_end - tangential + of_cohesion;
+  }
+
+  ContactQueue* queues() {
+    const int types = loop_.laws.tangential.types();
+    queues_.resize(loop_.laws.tangential.place(types, types) + 1);
+    return queues_.data();
   }
 
   ContactLoop<Laws> loop_;

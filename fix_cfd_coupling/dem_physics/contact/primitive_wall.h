@@ -24,7 +24,7 @@ struct PrimitiveWall {
   std::array<double, 3> velocity{};  // [m/s] of its surface
 
   // d [m]; its length is returned.
-  double reach(const double* x, Triple& to_grain) const {
+  [[gnu::always_inline]] inline double reach(const double* x, Triple& to_grain) const {
     double* d = to_grain.data();
     d[0] = d[1] = d[2] = 0.0;
     if (!round) {
@@ -43,7 +43,8 @@ struct PrimitiveWall {
 
   // R* [m] of a grain of radius R in or on a cylinder of radius C along its curved way, as LAMMPS's
   // own granular walls take it: 2 R C / (2 C - R) inside, 2 R C / (2 C + R) outside.
-  [[nodiscard]] double reduced_radius(const double* x, double of_grain) const {
+  [[nodiscard]] [[gnu::always_inline]] inline double reduced_radius(const double* x,
+                                                                    double of_grain) const {
     const double from_a = x[(axis + 1) % 3] - centre[0], from_b = x[(axis + 2) % 3] - centre[1];
     const bool inside = from_a * from_a + from_b * from_b < radius * radius;
     const double of_wall = inside ? -2.0 * radius : 2.0 * radius;

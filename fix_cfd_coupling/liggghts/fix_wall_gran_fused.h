@@ -1,0 +1,45 @@
+// The host's `fix wall/gran`, which beside `pair_style gran/bridge` takes the contacts with a plane
+// or a cylinder through the pair style's own loop.
+//
+// The host's fix stays underneath: it reads the words, finds the grains near to the wall, and keeps
+// their history. Its own models go on to serve meshes, cohesion, and whatever somebody wants to
+// know of single contacts; once, at the first run, it says why.
+#ifndef GASGRAIN_LIGGGHTS_FIX_WALL_GRAN_FUSED_H
+#define GASGRAIN_LIGGGHTS_FIX_WALL_GRAN_FUSED_H
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fix_cfd_coupling/liggghts/compiled_contact.h"
+// --
+#include "fix_wall_gran.h"
+
+namespace LAMMPS_NS {
+
+class [[gnu::visibility("default")]] FixWallGranFused final : public FixWallGran {
+ public:
+  FixWallGranFused(LAMMPS * host, int narg, char** arg);
+
+  void init() override;
+
+ protected:
+  void pre_force(int vflag) override;
+  void post_force_primitive(int vflag) override;
+
+ private:
+  void read(const std::vector<std::string>& words);
+  [[nodiscard]] bool is_beside_own_loop() const;
+  // Why the host's models are needed at this wall; empty: they are not.
+  [[nodiscard]] std::string needs_host() const;
+
+  std::unique_ptr<gasgrain::CompiledContact> contact_;  // null: these words are not compiled
+  gasgrain::contact::PrimitiveWall shape_;
+  std::optional<std::string> said_;  // of needs_host()
+  // Whether each of the near grains touches, or may have touched before the list was made.
+  std::vector<int> in_use_;
+};
+
+}  // namespace LAMMPS_NS
+#endif
