@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "coupling/base/error.h"
+#include "fix_cfd_coupling/fixes/grains_of_host.h"
 #include "fix_cfd_coupling/fixes/host_error.h"
 // --
 #include "atom.h"
@@ -139,7 +140,7 @@ void FixWallGranBridge::post_force(int) {
   }
   force_ = {};
   const contact::WallNeighbours near{static_cast<int>(near_.size()), near_.data(), rows_};
-  choice_.stack->wall(gasgrain::grains_of(*lmp, 0, bodies_), near, shape_, type_, this);
+  choice_.stack->wall(gasgrain::grains_of(*lmp, 0, bodies_.data()), near, shape_, type_, this);
 }
 
 void FixWallGranBridge::acts(int, int, const contact::Triple& on_grain, const contact::Triple&) {

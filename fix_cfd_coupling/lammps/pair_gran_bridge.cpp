@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "coupling/base/error.h"
+#include "fix_cfd_coupling/fixes/grains_of_host.h"
 #include "fix_cfd_coupling/fixes/host_error.h"
 #include "fix_cfd_coupling/lammps/fix_gran_bridge_history.h"
 // --
@@ -204,7 +205,7 @@ void PairGranBridge::compute(int eflag, int vflag) {
   const contact::NeighbourList neighbours{list->inum, list->ilist, list->numneigh, list->firstneigh,
                                           NEIGHMASK};
   choice_.stack->begin_pass();
-  choice_.stack->pairs(gasgrain::grains_of(*lmp, frozen_, bodies_), neighbours, rows(),
+  choice_.stack->pairs(gasgrain::grains_of(*lmp, frozen_, bodies_.data()), neighbours, rows(),
                        evflag != 0 ? this : nullptr);
   if (vflag_fdotr != 0) virial_fdotr_compute();
 }
@@ -217,7 +218,7 @@ void PairGranBridge::acts(int i, int j, const contact::Triple& f, const contact:
 double PairGranBridge::single(int i, int j, int, int, double rsq, double, double, double& fforce) {
   fforce = 0.0;
   std::fill_n(svector, singles, 0.0);
-  auto grains = gasgrain::grains_of(*lmp, frozen_, bodies_);
+  auto grains = gasgrain::grains_of(*lmp, frozen_, bodies_.data());
   grains.updates = false;
   std::vector<double> row(history_.size(), 0.0);
   int use = 0;

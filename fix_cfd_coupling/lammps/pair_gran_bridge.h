@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "fix_cfd_coupling/dem_physics/contact/contact_words.h"
+#include "fix_cfd_coupling/lammps/body_masses.h"
 #include "fix_cfd_coupling/lammps/contact_host_lammps.h"
-#include "fix_cfd_coupling/lammps/grains_of_host.h"
 #include "pair.h"
 
 namespace LAMMPS_NS {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "coupling/base/error.h"
-#include "fix_cfd_coupling/liggghts/grains_of_host.h"
+#include "fix_cfd_coupling/fixes/grains_of_host.h"
 #include "fix_cfd_coupling/liggghts/pair_gran_bridge.h"
 // --
 #include "comm.h"
@@ -89,7 +89,7 @@ void FixWallGranFused::post_force_primitive(int vflag) {
   const int count = primitiveWall_->getNeighbors(near);
   const bool remembers = dnum_ > 0;
   if (in_use_.empty()) in_use_.assign(count, 1);
-  contact::Grains grains = gasgrain::grains_of(*lmp);
+  contact::Grains grains = gasgrain::grains_of(*lmp, 0, nullptr);
   grains.updates = shearupdate_ != 0;
   contact_->stack().wall(grains,
                          {count, near, remembers ? fix_history_primitive_->array_atom : nullptr,

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "coupling/base/error.h"
+#include "fix_cfd_coupling/fixes/grains_of_host.h"
 #include "fix_cfd_coupling/fixes/host_error.h"
-#include "fix_cfd_coupling/liggghts/grains_of_host.h"
 // --
 #include "atom.h"
 #include "comm.h"
@@ -92,9 +92,8 @@ void PairGranBridge::init_granular() {
 }
 
 contact::Grains PairGranBridge::grains() const {
-  contact::Grains grains = gasgrain::grains_of(*lmp);
-  grains.frozen = freeze_group_bit();
-  grains.body_mass = fr_pair() != nullptr ? mr_pair() : nullptr;
+  contact::Grains grains =
+      gasgrain::grains_of(*lmp, freeze_group_bit(), fr_pair() != nullptr ? mr_pair() : nullptr);
   grains.updates = computeflag() != 0 && shearupdate() != 0;
   return grains;
 }

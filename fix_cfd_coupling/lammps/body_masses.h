@@ -1,10 +1,8 @@
-// LAMMPS's arrays of grains as the contact loops take them, and the masses of rigid bodies that
-// stand in the place of those of their grains, as in LAMMPS's own granular styles.
+// The masses of rigid bodies that stand in the place of those of their grains, as in LAMMPS's own
+// granular styles.
 #pragma once
 
 #include <vector>
-
-#include "fix_cfd_coupling/dem_physics/contact/contact_arrays.h"
 
 namespace LAMMPS_NS {
 class Fix;
@@ -27,8 +25,5 @@ class BodyMasses {
   LAMMPS_NS::Fix* fix_ = nullptr;
   std::vector<double> masses_;
 };
-
-// `frozen`: bit of the group of `fix freeze`, or 0.
-contact::Grains grains_of(LAMMPS_NS::LAMMPS& host, int frozen, const BodyMasses& bodies);
 
 }  // namespace gasgrain
