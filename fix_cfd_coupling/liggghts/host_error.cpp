@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cstring>
 #include <vector>
 
 #include "coupling/base/error.h"
@@ -70,6 +71,11 @@ std::string hint(const std::string& message) {
   } else if (message.find("Invalid pair style") != std::string::npos && host->input->narg > 0) {
     word = host->input->arg[0];
     known = names_of(*host->force->pair_map);
+  } else if (message.find("unknown primitive wall style") != std::string::npos) {
+    const LAMMPS_NS::Input& line = *host->input;
+    for (int n = 0; n + 3 < line.narg; ++n)
+      if (std::strcmp(line.arg[n], "primitive") == 0) word = line.arg[n + 3];
+    known = {"xplane", "yplane", "zplane", "xcylinder", "ycylinder", "zcylinder"};
   } else if (message.find("Unknown command: ") == 0) {
     word = message.substr(17, message.find(' ', 17) - 17);
     known = names_of(command_map(*host));

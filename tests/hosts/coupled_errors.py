@@ -35,6 +35,8 @@ class Errors(unittest.TestCase):
     def test_an_unknown_command_names_the_nearest(self):
         self.expect(['Did you mean "timestep"?'], extra="timestp 1e-5")
         self.expect(["gran/brige", 'Did you mean "gran/bridge"?'], extra="pair_style gran/brige model hertz")
+        self.expect(["unknown primitive wall style", 'Did you mean "zplane"?'],
+                    extra="fix lid all wall/gran model hertz tangential history primitive type 1 zplan 0.1")
 
     def test_an_unknown_drag_law_names_the_nearest(self):
         self.expect(["koch_hil", 'Did you mean "koch_hill"?'],
