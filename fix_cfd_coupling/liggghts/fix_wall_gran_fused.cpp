@@ -49,6 +49,9 @@ std::string FixWallGranFused::needs_host() const {
   if (contact_ == nullptr || static_cast<int>(contact_->stack().history().size()) != dnum_)
     return "its models and words are not compiled";
   if (contact_->stack().has_cohesion()) return "of its cohesion";
+  // Nothing would be gained, and a cohesion of 0 would differ from none by round-off.
+  if (contact_->stack().instructions() == contact::InstructionSet::portable)
+    return "one contact comes after the other";
   if (igroup != 0) return "its group is not 'all'";
   if (shear_ != 0) return "of its 'shear'";
   if (fix_rigid_ != nullptr) return "of 'fix rigid'";
