@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "coupling/base/error.h"
+#include "dialect_drift.h"
 #include "fix_cfd_coupling/fixes/fix_parcels.h"
 #include "fix_cfd_coupling/fixes/host_error.h"
 #include "fix_cfd_coupling/fixes/host_session.h"
@@ -14,7 +15,6 @@
 #include "comm.h"
 #include "memory.h"
 #include "modify.h"
-#include "neighbor.h"
 #include "update.h"
 
 namespace LAMMPS_NS {
@@ -248,8 +248,9 @@ gasgrain::ExchangeView FixCollisionalExchange::view() {
 
 void FixCollisionalExchange::end_of_step() {
   try {
-    // Parcels were handed to their ranks in this step, grains when they had moved half the skin.
-    cells_->follow_domain(parcels_ != nullptr ? 0.0 : neighbor->skin, reach_of_parcels);
+    // Parcels were handed to their ranks in this step.
+    const double drift = parcels_ != nullptr ? 0.0 : gasgrain::drift_of_grains(*lmp);
+    cells_->follow_domain(drift, reach_of_parcels);
     take_films();
     const gasgrain::ExchangeView particles = view();
     const gasgrain::TileFrame& frame = cells_->frame();

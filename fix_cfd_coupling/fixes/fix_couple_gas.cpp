@@ -12,6 +12,7 @@
 // --
 #include "atom.h"
 #include "comm.h"
+#include "dialect_drift.h"
 #include "dialect_restart.h"
 #include "dialect_stop.h"
 #include "dialect_version.h"
@@ -263,8 +264,7 @@ void FixCoupleGas::couple() {
   gasgrain::DemRegion region;
   region.lo = Vec3(domain->sublo[0], domain->sublo[1], domain->sublo[2]);
   region.hi = Vec3(domain->subhi[0], domain->subhi[1], domain->subhi[2]);
-  // A grain is handed to the next rank at re-neighbouring, before it has moved half the skin.
-  region.drift = neighbor->skin;
+  region.drift = gasgrain::drift_of_grains(*lmp);
   for (int i = 0; i < atom->nlocal; ++i)
     region.largest_radius = std::max(region.largest_radius, atom->radius[i]);
   region.largest_radius = local.max(region.largest_radius);

@@ -50,7 +50,7 @@ void FixCoupleGas::end_setup_costs() {
 void FixCoupleGas::take_host_costs() {
   auto& costs = coupled_->costs();
   host_clocks_.end_run(
-      *modify, *timer, this, costs.named() - named_before_,
+      *lmp, this, costs.named() - named_before_,
       [&](const char* task, double seconds) { costs.charge(costs.task(task), seconds); },
       [&](const char* of_fix, double seconds) {
         costs.charge(costs.task(task_of(of_fix)), seconds);

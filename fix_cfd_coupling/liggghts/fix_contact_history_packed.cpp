@@ -1,8 +1,13 @@
 #include "fix_cfd_coupling/liggghts/fix_contact_history_packed.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
+#include "fix_cfd_coupling/liggghts/neighbor_sorted.h"
+// --
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
@@ -10,6 +15,21 @@
 #include "pair.h"
 
 namespace LAMMPS_NS {
+
+int FixContactHistoryPacked::setmask() {
+  return FixContactHistory::setmask() | FixConst::POST_RUN;
+}
+
+void FixContactHistoryPacked::post_run() {
+  const auto& lists = gasgrain::NeighborSorted::of(*lmp);
+  if (!lists.renews()) return;
+  std::int64_t renewals = lists.renewals();
+  MPI_Allreduce(MPI_IN_PLACE, &renewals, 1, MPI_INT64_T, MPI_SUM, world);
+  if (comm->me != 0) return;
+  for (FILE* file : {screen, logfile})
+    if (file != nullptr)
+      fmt::print(file, "Neighbour lists: {} times a grain got new pairs by itself\n", renewals);
+}
 
 void FixContactHistoryPacked::pre_exchange() {
   // From now on the grains have what is newest.

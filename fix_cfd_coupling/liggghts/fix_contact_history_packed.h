@@ -17,7 +17,10 @@ class FixContactHistoryPacked final : public FixContactHistory {
  public:
   using FixContactHistory::FixContactHistory;
 
+  int setmask() override;
   void pre_exchange() override;
+  // Says how many grains got new pairs by themselves (neighbor_sorted.h).
+  void post_run() override;
 
  private:
   struct Contact {

@@ -4,11 +4,14 @@
 
 #include "coupling/base/error.h"
 #include "fix_cfd_coupling/fixes/grains_of_host.h"
+#include "fix_cfd_coupling/liggghts/neighbor_sorted.h"
 #include "fix_cfd_coupling/liggghts/pair_gran_bridge.h"
 // --
+#include "atom.h"
 #include "comm.h"
 #include "fix_property_atom.h"
 #include "force.h"
+#include "neighbor.h"
 #include "primitive_wall.h"
 
 namespace LAMMPS_NS {
@@ -67,7 +70,8 @@ void FixWallGranFused::init() {
   if (is_mesh_wall() || !is_beside_own_loop()) return;
   const std::string why = needs_host();
   if (why.empty()) contact_->connect(*lmp, *this);
-  in_use_.clear();
+  near_.clear();
+  is_near_.clear();
   if (said_ == why) return;
   said_ = why;
   if (why.empty() || comm->me != 0) return;
@@ -77,25 +81,54 @@ void FixWallGranFused::init() {
                  id, why);
 }
 
+bool FixWallGranFused::follows_renewed_lists() const {
+  return !is_mesh_wall() && needs_host().empty();
+}
+
 void FixWallGranFused::pre_force(int vflag) {
   // Of a list that is made anew it is not known who has touched.
-  if (rebuildPrimitiveNeighlist_) in_use_.clear();
+  if (rebuildPrimitiveNeighlist_) is_near_.clear();
   FixWallGran::pre_force(vflag);
 }
 
+// Those that the host has found when all lists were made, and those of the grains that got new
+// pairs since then which are as near.
+void FixWallGranFused::take_near_grains() {
+  if (is_near_.empty()) {
+    int* near = nullptr;
+    const int count = primitiveWall_->getNeighbors(near);
+    near_.assign(near, near + count);
+    in_use_.assign(count, 1);
+    is_near_.assign(atom->nlocal, 0);
+    for (const int i : near_) is_near_[i] = 1;
+  }
+  for (const int i : gasgrain::NeighborSorted::of(*lmp).renewed_now()) {
+    if (is_near_[i] != 0 || primitiveWall_->isNear(i, 0.5 * neighbor->skin) == 0) continue;
+    is_near_[i] = 1;
+    near_.push_back(i);
+    in_use_.push_back(1);
+  }
+}
+
 void FixWallGranFused::post_force_primitive(int vflag) {
-  if (!is_beside_own_loop() || !needs_host().empty() || addflag_ != 0 || computeflag_ == 0) {
+  if (!is_beside_own_loop() || !needs_host().empty()) {
     FixWallGran::post_force_primitive(vflag);
     return;
   }
-  int* near = nullptr;
-  const int count = primitiveWall_->getNeighbors(near);
+  take_near_grains();
+  if (addflag_ != 0 || computeflag_ == 0) {
+    // The host's list is of the time when all lists were made.
+    primitiveWall_->buildNeighList(0.5 * neighbor->skin, atom->x, atom->radius, atom->nlocal);
+    FixWallGran::post_force_primitive(vflag);
+    std::fill(in_use_.begin(), in_use_.end(), 1);
+    return;
+  }
   const bool remembers = dnum_ > 0;
-  if (in_use_.empty()) in_use_.assign(count, 1);
   contact::Grains grains = gasgrain::grains_of(*lmp, 0, nullptr);
   grains.updates = shearupdate_ != 0;
   contact_->stack().wall(grains,
-                         {count, near, remembers ? fix_history_primitive_->array_atom : nullptr,
+                         {static_cast<int>(near_.size()), near_.data(),
+                          remembers ? fix_history_primitive_->array_atom : nullptr,
                           remembers ? in_use_.data() : nullptr},
                          shape_, atom_type_wall_, nullptr);
 }

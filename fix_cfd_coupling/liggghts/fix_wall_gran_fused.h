@@ -24,6 +24,9 @@ class [[gnu::visibility("default")]] FixWallGranFused final : public FixWallGran
 
   void init() override;
 
+  // Whether the wall finds grains that get new pairs by themselves (neighbor_sorted.h).
+  [[nodiscard]] bool follows_renewed_lists() const;
+
  protected:
   void pre_force(int vflag) override;
   void post_force_primitive(int vflag) override;
@@ -34,11 +37,15 @@ class [[gnu::visibility("default")]] FixWallGranFused final : public FixWallGran
   // Why the host's models are needed at this wall; empty: they are not.
   [[nodiscard]] std::string needs_host() const;
 
+  void take_near_grains();
+
   std::unique_ptr<gasgrain::CompiledContact> contact_;  // null: these words are not compiled
   gasgrain::contact::PrimitiveWall shape_;
   std::optional<std::string> said_;  // of needs_host()
-  // Whether each of the near grains touches, or may have touched before the list was made.
-  std::vector<int> in_use_;
+  // Grains near to the wall: the host's, then those that came later; and whether each of them
+  // touches, or may have touched before it was found.
+  std::vector<int> near_, in_use_;
+  std::vector<char> is_near_;  // by grain
 };
 
 }  // namespace LAMMPS_NS

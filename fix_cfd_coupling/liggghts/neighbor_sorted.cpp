@@ -1,14 +1,19 @@
 #include "fix_cfd_coupling/liggghts/neighbor_sorted.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <limits>
 #include <numeric>
 #include <string_view>
 
+#include "fix_cfd_coupling/liggghts/pair_gran_bridge.h"
+// --
 #include "atom.h"
 #include "error.h"
 #include "fix.h"
 #include "fix_contact_history.h"
+#include "force.h"
 #include "modify.h"
 #include "neigh_list.h"
 
@@ -23,8 +28,7 @@ bool reads_bins(std::string_view style) {
   return false;
 }
 
-// The host numbers the bins of the whole box from 0; those outside of it go on at both ends.
-int bin_of(double x, double lo, double hi, double bins_per_length, int bins) {
+int bin_along(double x, double lo, double hi, double bins_per_length, int bins) {
   if (x >= hi) return static_cast<int>((x - hi) * bins_per_length) + bins;
   if (x >= lo) return std::min(static_cast<int>((x - lo) * bins_per_length), bins - 1);
   return static_cast<int>((x - lo) * bins_per_length) - 1;
@@ -41,11 +45,27 @@ struct Span {
 
 }  // namespace
 
+NeighborSorted& NeighborSorted::of(LAMMPS_NS::LAMMPS& host) {
+  return static_cast<NeighborSorted&>(*host.neighbor);
+}
+
 void NeighborSorted::init() {
   Neighbor::init();
   others_read_bins_ = false;
   for (int n = 0; n < modify->nfix; ++n)
     others_read_bins_ = others_read_bins_ || reads_bins(modify->fix[n]->style);
+  const bool own_pairs = dynamic_cast<LAMMPS_NS::PairGranBridge*>(force->pair) != nullptr;
+  const std::string why = own_pairs ? needs_whole_lists() : "the pair style is the host's";
+  renews_ = why.empty();
+  sorted_ = false;
+  renewals_ = 0;
+  renewal_seconds_ = 0.0;
+  if (said_ == why) return;
+  said_ = why;
+  if (renews_ || me != 0 || !own_pairs) return;
+  for (FILE* file : {screen, logfile})
+    if (file != nullptr)
+      fmt::print(file, "Neighbour lists are made anew all at once, because {}\n", why);
 }
 
 void NeighborSorted::choose_build(int list, LAMMPS_NS::NeighRequest* request) {
@@ -55,7 +75,8 @@ void NeighborSorted::choose_build(int list, LAMMPS_NS::NeighRequest* request) {
 }
 
 void NeighborSorted::build_sorted(LAMMPS_NS::NeighList* list) {
-  if (exclude != 0 || includegroup != 0 || !sort_grains()) {
+  sorted_ = exclude == 0 && includegroup == 0 && sort_grains();
+  if (!sorted_) {
     granular_bin_no_newton(list);
     return;
   }
@@ -89,21 +110,27 @@ void NeighborSorted::build_sorted(LAMMPS_NS::NeighList* list) {
   }
   if (history)
     for (int i = 0; i < atom->nlocal; ++i) write_history(*list, i);
+  if (renews_) begin_renewals();
+}
+
+// The host numbers the bins of the whole box from 0; those outside of it go on at both ends.
+NeighborSorted::Bin NeighborSorted::bin_of(const double* at) const {
+  return {bin_along(at[0], bboxlo[0], bboxhi[0], bininvx, nbinx),
+          bin_along(at[1], bboxlo[1], bboxhi[1], bininvy, nbiny),
+          bin_along(at[2], bboxlo[2], bboxhi[2], bininvz, nbinz)};
 }
 
 // False when a grain lies in none of the host's bins.
 bool NeighborSorted::sort_grains() {
   const auto grains = static_cast<std::size_t>(atom->nlocal + atom->nghost);
-  bin_x_.resize(grains);
-  bin_y_.resize(grains);
-  bin_z_.resize(grains);
+  bins_.resize(grains);
   bin_.resize(grains);
   Span x, y, z;
   for (std::size_t k = 0; k < grains; ++k) {
-    const double* at = atom->x[k];
-    x.take(bin_x_[k] = bin_of(at[0], bboxlo[0], bboxhi[0], bininvx, nbinx));
-    y.take(bin_y_[k] = bin_of(at[1], bboxlo[1], bboxhi[1], bininvy, nbiny));
-    z.take(bin_z_[k] = bin_of(at[2], bboxlo[2], bboxhi[2], bininvz, nbinz));
+    bins_[k] = bin_of(atom->x[k]);
+    x.take(bins_[k].x);
+    y.take(bins_[k].y);
+    z.take(bins_[k].z);
   }
   const auto in_bins = [](const Span& span, int first, int count) {
     return span.lo >= first && span.hi < first + count;
@@ -114,27 +141,35 @@ bool NeighborSorted::sort_grains() {
 
   // Empty bins all around, as wide as a grain sees, spare the questions at the ends.
   if (grains == 0) x = y = z = Span{0, 0};
+  first_bin_ = {x.lo, y.lo, z.lo};
+  last_bin_ = {x.hi, y.hi, z.hi};
   row_length_ = x.length() + 2 * sx;
   layer_size_ = row_length_ * (y.length() + 2 * sy);
   const std::ptrdiff_t all_bins = layer_size_ * (z.length() + 2 * sz);
   first_.assign(static_cast<std::size_t>(all_bins) + 2, 0);
   // Counts go one bin too far, and starts two, so that filling the bins leaves them in place.
   for (std::size_t k = 0; k < grains; ++k) {
-    bin_[k] = static_cast<int>((bin_z_[k] - z.lo + sz) * layer_size_ +
-                               (bin_y_[k] - y.lo + sy) * row_length_ + (bin_x_[k] - x.lo + sx));
+    bin_[k] = number_of(bins_[k]);
     ++first_[bin_[k] + 2];
   }
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
   grains_.resize(grains);
   number_.resize(grains);
   bin_at_.resize(grains);
+  place_.resize(grains);
   for (std::size_t k = 0; k < grains; ++k) {
     const int place = first_[bin_[k] + 1]++;
     grains_[place] = {atom->x[k][0], atom->x[k][1], atom->x[k][2], atom->radius[k]};
     number_[place] = static_cast<int>(k);
     bin_at_[place] = bin_[k];
+    place_[k] = place;
   }
   return true;
+}
+
+int NeighborSorted::number_of(const Bin& bin) const {
+  return static_cast<int>((bin.z - first_bin_.z + sz) * layer_size_ +
+                          (bin.y - first_bin_.y + sy) * row_length_ + (bin.x - first_bin_.x + sx));
 }
 
 // Those of which a part is nearer to the grain's bin than the longest reach: the host's stencil.

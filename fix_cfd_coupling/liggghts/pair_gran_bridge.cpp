@@ -6,6 +6,7 @@
 #include "coupling/base/error.h"
 #include "fix_cfd_coupling/fixes/grains_of_host.h"
 #include "fix_cfd_coupling/fixes/host_error.h"
+#include "fix_cfd_coupling/liggghts/neighbor_sorted.h"
 // --
 #include "atom.h"
 #include "comm.h"
@@ -103,7 +104,13 @@ contact::ContactRows PairGranBridge::rows() {
   return {listgranhistory->firstneigh, listgranhistory->firstdouble, dnum()};
 }
 
+// Bridges and adhesion keep more of a pair than what its row holds while it touches.
+bool PairGranBridge::follows_renewed_lists() const {
+  return !contact_->stack().has_cohesion() && !contact_->stack().history().empty();
+}
+
 void PairGranBridge::compute_force(int eflag, int vflag, int addflag) {
+  gasgrain::NeighborSorted::of(*lmp).renew_lists(*list);
   if (eflag != 0 || vflag != 0)
     ev_setup(eflag, vflag);
   else

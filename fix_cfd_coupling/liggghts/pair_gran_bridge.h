@@ -39,6 +39,9 @@ class [[gnu::visibility("default")]] PairGranBridge final
   void init_granular() override;
   void compute_force(int eflag, int vflag, int addflag) override;
 
+  // Whether neighbour lists may get new pairs of single grains (neighbor_sorted.h).
+  [[nodiscard]] bool follows_renewed_lists() const;
+
  private:
   void check_history() const;
   void check_grains();

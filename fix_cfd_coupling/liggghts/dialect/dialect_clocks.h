@@ -1,6 +1,8 @@
 // The host's own clocks of a run, by task. LIGGGHTS times each fix when it is asked to.
 #pragma once
 
+#include "fix_cfd_coupling/liggghts/neighbor_sorted.h"
+// --
 #include "fix.h"
 #include "modify.h"
 #include "timer.h"
@@ -21,16 +23,18 @@ class HostClocks {
   // charge(task, seconds) for the run's tasks, charge_fix(style, seconds) for each fix but `own`,
   // whose time other clocks have (here nobody needs to know how much that was).
   template <class Charge, class ChargeFix>
-  void end_run(LAMMPS_NS::Modify& modify, LAMMPS_NS::Timer& timer, const LAMMPS_NS::Fix* own,
-               double /*seconds_of_own*/, Charge charge, ChargeFix charge_fix) {
-    charge("pair forces", timer.array[TIME_PAIR]);
-    charge("neighbour lists", timer.array[TIME_NEIGHBOR]);
-    charge("DEM communication", timer.array[TIME_COMM]);
-    charge("output", timer.array[TIME_OUTPUT]);
-    for (int n = 0; n < modify.nfix; ++n)
-      if (const LAMMPS_NS::Fix& fix = *modify.fix[n]; &fix != own)
+  void end_run(LAMMPS_NS::LAMMPS& host, const LAMMPS_NS::Fix* own, double /*seconds_of_own*/,
+               Charge charge, ChargeFix charge_fix) {
+    // New pairs of single grains are looked for when the pair style begins.
+    const double renewals = NeighborSorted::of(host).renewal_seconds();
+    charge("pair forces", host.timer->array[TIME_PAIR] - renewals);
+    charge("neighbour lists", host.timer->array[TIME_NEIGHBOR] + renewals);
+    charge("DEM communication", host.timer->array[TIME_COMM]);
+    charge("output", host.timer->array[TIME_OUTPUT]);
+    for (int n = 0; n < host.modify->nfix; ++n)
+      if (const LAMMPS_NS::Fix& fix = *host.modify->fix[n]; &fix != own)
         charge_fix(fix.style, fix.get_recorded_time());
-    if (asked_) modify.timing = 0;
+    if (asked_) host.modify->timing = 0;
   }
 
  private:
