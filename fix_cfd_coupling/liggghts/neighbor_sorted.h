@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lammps.h"
@@ -90,7 +91,7 @@ class NeighborSorted : public LAMMPS_NS::Neighbor {
   void renew(LAMMPS_NS::NeighList& list, int i);
   [[nodiscard]] Bin nearest_bin(const Place& at) const;
   template <class Look>
-  void look_around(const Bin& bin, const Look& look) const;
+  void look_around(const Bin& bin, const Look& look);
   [[nodiscard]] int& cell_of(const Bin& bin);
   void leave_place(int i);
   [[nodiscard]] bool is_listed(const LAMMPS_NS::NeighList& list, int i, int j) const;
@@ -120,6 +121,8 @@ class NeighborSorted : public LAMMPS_NS::Neighbor {
   std::vector<Place> looked_at_;                   // where it was when its pairs were looked for
   std::vector<int> room_;                          // for pairs in its list; of own grains
   std::vector<int> first_in_cell_, next_in_cell_;  // grains; below 0: no more
+  std::vector<std::pair<int, int>> stretches_;     // of places, around one grain
+  std::vector<int> chains_;                        // their first grains, around one grain
   std::vector<int> moved_;                         // half the skin since then
   std::vector<int> renewed_now_;
   LAMMPS_NS::bigint moved_at_ = -1, renewed_at_ = -1;  // steps

@@ -133,10 +133,10 @@ class RenewedLists(unittest.TestCase):
         self.agree(1, 3, sides="f")
 
     def test_two_ranks_with_ghosts_from_further_away(self):
-        self.agree(2, 3, sides="f", cutoff="cutoff 0.006")
+        self.agree(2, 2, sides="f", cutoff="cutoff 0.006")
 
     def test_two_ranks_and_a_periodic_side(self):
-        self.agree(2, 3, cutoff="cutoff 0.01")
+        self.agree(2, 2, cutoff="cutoff 0.01")
 
     def test_fast_grains_near_to_ghosts_ask_for_all_lists(self):
         whole, single = Run("whole", 2), Run("single", 2)
