@@ -18,10 +18,12 @@ Command launch_command(const RunOptions& options, const Programs& programs,
   Command command;
   command.working_directory = std::filesystem::absolute(options.scene).lexically_normal();
   // Ranks may outnumber cores, hence the waiting that yields; the single-copy mechanism of Open
-  // MPI needs a system call that containers forbid, and complains.
+  // MPI needs a system call that containers forbid, and complains. Large pages save the programs
+  // looking up where the grains lie, which they read in any order.
   command.environment = {{"OMPI_MCA_mpi_yield_when_idle", "1"},
                          {"OMPI_MCA_btl_vader_single_copy_mechanism", "none"},
-                         {"OMP_NUM_THREADS", "1"}};
+                         {"OMP_NUM_THREADS", "1"},
+                         {"GLIBC_TUNABLES", "glibc.malloc.hugetlb=1"}};
 
   auto& words = command.arguments;
   words = {programs.mpirun, "--oversubscribe", "--bind-to", "none"};
