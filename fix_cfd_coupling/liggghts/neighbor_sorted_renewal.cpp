@@ -83,14 +83,17 @@ std::string NeighborSorted::needs_whole_lists() const {
   if (exclude != 0 || includegroup != 0) return "neigh_modify leaves out pairs";
   if (build_once != 0) return "neigh_modify makes them once";
   if (domain->triclinic != 0 || domain->box_change != 0) return "the box is oblique or changes";
-  if (atom->radvary_flag != 0) return "radii change";
+  if (others_read_bins_) return "somebody reads the bins of grains";
   // The requests of this run: the host has put them aside.
   for (int n = 0; n < old_nrequest; ++n)
     if (old_requests[n]->requestor != force->pair) return "somebody else has a list of neighbours";
-  for (int n = 0; n < modify->nfix; ++n)
-    if (!goes_on(*modify->fix[n], modify->fmask[n]))
-      return fmt::format("fix {} {} acts when they are made", modify->fix[n]->id,
-                         modify->fix[n]->style);
+  if (atom->radvary_flag != 0) return "radii change";
+  for (int n = 0; n < modify->nfix; ++n) {
+    LAMMPS_NS::Fix& fix = *modify->fix[n];
+    if (std::string_view(fix.style) == "adapt") return "fix adapt may change radii";
+    if (!goes_on(fix, modify->fmask[n]))
+      return fmt::format("fix {} {} acts when they are made", fix.id, fix.style);
+  }
   return "";
 }
 
