@@ -1,5 +1,5 @@
 // A fixed cloud of particles and a few steps of a small gas, for counting what they cost. Compiled
-// twice, with all effects and with those of one scene (reduced_lists.h).
+// twice, with all effects and with those of one scene (CMakeLists.txt).
 //   driver loops GAS_TOML WORDS...     particle_loop() and gas_steps() are to be counted
 //   driver coupled GAS_TOML WORDS...   prints what a coupled run stores, and sends
 #include <fmt/format.h>
