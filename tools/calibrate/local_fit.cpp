@@ -1,5 +1,6 @@
 #include "tools/calibrate/local_fit.h"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 

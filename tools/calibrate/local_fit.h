@@ -2,7 +2,7 @@
 // it, by weighted least squares.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "tools/calibrate/objective.h"
 
