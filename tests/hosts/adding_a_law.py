@@ -26,9 +26,11 @@ built = tempfile.TemporaryDirectory(prefix="gasgrain-law-")
 LIBRARY = {host: Path(built.name) / "build" / f"constant_pull-{host}.so" for host in ("liggghts", "lammps")}
 
 
+# Without optimisation, which takes most of the time and is not what is looked at.
 def setUpModule():
     shutil.copytree(EXAMPLE, Path(built.name) / "law")
-    for words in (["-S", "law", "-B", "build", f"-Dgasgrain_DIR={BIN}", "-DCMAKE_BUILD_TYPE=RelWithDebInfo"],
+    for words in (["-S", "law", "-B", "build", f"-Dgasgrain_DIR={BIN}", "-DCMAKE_BUILD_TYPE=Debug",
+                   "-DCMAKE_CXX_FLAGS_DEBUG="],
                   ["--build", "build", "--parallel", "2"]):
         done = subprocess.run(["cmake", *words], cwd=built.name, capture_output=True, text=True, timeout=280,
                               check=False)
