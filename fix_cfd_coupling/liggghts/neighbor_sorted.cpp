@@ -57,7 +57,8 @@ void NeighborSorted::init() {
   const bool own_pairs = dynamic_cast<LAMMPS_NS::PairGranBridge*>(force->pair) != nullptr;
   const std::string why = own_pairs ? needs_whole_lists() : "the pair style is the host's";
   renews_ = why.empty();
-  sorted_ = false;
+  all_sorted_ = false;
+  moved_at_ = renewed_at_ = -1;
   renewals_ = 0;
   renewal_seconds_ = 0.0;
   if (said_ == why) return;
@@ -75,8 +76,9 @@ void NeighborSorted::choose_build(int list, LAMMPS_NS::NeighRequest* request) {
 }
 
 void NeighborSorted::build_sorted(LAMMPS_NS::NeighList* list) {
-  sorted_ = exclude == 0 && includegroup == 0 && sort_grains();
-  if (!sorted_) {
+  const bool sorted = exclude == 0 && includegroup == 0 && sort_grains();
+  if (renews_) begin_renewals(sorted);
+  if (!sorted) {
     granular_bin_no_newton(list);
     return;
   }
@@ -110,7 +112,7 @@ void NeighborSorted::build_sorted(LAMMPS_NS::NeighList* list) {
   }
   if (history)
     for (int i = 0; i < atom->nlocal; ++i) write_history(*list, i);
-  if (renews_) begin_renewals();
+  room_.swap(partners_);
 }
 
 // The host numbers the bins of the whole box from 0; those outside of it go on at both ends.

@@ -84,7 +84,7 @@ class NeighborSorted : public LAMMPS_NS::Neighbor {
 
   // neighbor_sorted_renewal.cpp
   [[nodiscard]] std::string needs_whole_lists() const;
-  void begin_renewals();
+  void begin_renewals(bool sorted);
   void find_moved(int begin, int end);
   [[nodiscard]] double slack() const;
   [[nodiscard]] bool may_go_on(int i, double slack) const;
@@ -115,7 +115,7 @@ class NeighborSorted : public LAMMPS_NS::Neighbor {
   // 2 bins; all lengths are by grain of this rank, ghosts included, if not said otherwise.
   bool renews_ = false;
   std::optional<std::string> said_;  // of needs_whole_lists()
-  bool sorted_ = false;              // what follows is of the lists in use
+  bool all_sorted_ = false;          // what follows is of the lists in use, on all ranks
   int cells_x_ = 0, cells_y_ = 0;
   std::vector<int> place_;                         // among the sorted; below 0: in a cell
   std::vector<Place> looked_at_;                   // where it was when its pairs were looked for

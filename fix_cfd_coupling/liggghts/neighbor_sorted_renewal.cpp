@@ -79,7 +79,8 @@ bool goes_on(LAMMPS_NS::Fix& fix, int mask) {
 std::string NeighborSorted::needs_whole_lists() const {
   const auto& pair = dynamic_cast<LAMMPS_NS::PairGranBridge&>(*force->pair);
   if (whole_lists_wanted()) return "GASGRAIN_LISTS asks for it";
-  if (!pair.follows_renewed_lists()) return "contacts have cohesion, or no history";
+  if (!pair.follows_renewed_lists())
+    return "contacts have cohesion or no history, or come one after the other";
   if (exclude != 0 || includegroup != 0) return "neigh_modify leaves out pairs";
   if (build_once != 0) return "neigh_modify makes them once";
   if (domain->triclinic != 0 || domain->box_change != 0) return "the box is oblique or changes";
@@ -97,12 +98,16 @@ std::string NeighborSorted::needs_whole_lists() const {
   return "";
 }
 
-void NeighborSorted::begin_renewals() {
+// A rank whose grains are not sorted cannot renew lists, and all others wait for it.
+void NeighborSorted::begin_renewals(bool sorted) {
+  int all_sorted = sorted ? 1 : 0;
+  MPI_Allreduce(MPI_IN_PLACE, &all_sorted, 1, MPI_INT, MPI_MIN, world);
+  all_sorted_ = all_sorted != 0;
+  if (!all_sorted_) return;
   const auto grains = static_cast<std::size_t>(atom->nlocal + atom->nghost);
   looked_at_.resize(grains);
   for (std::size_t k = 0; k < grains; ++k)
     looked_at_[k] = {atom->x[k][0], atom->x[k][1], atom->x[k][2]};
-  room_.swap(partners_);
   const auto cells = [](int first, int last) { return (last - first) / 2 + 1; };
   cells_x_ = cells(first_bin_.x, last_bin_.x);
   cells_y_ = cells(first_bin_.y, last_bin_.y);
@@ -126,7 +131,7 @@ void NeighborSorted::find_moved(int begin, int end) {
 
 // Whether all lists must be made anew.
 int NeighborSorted::check_distance() {
-  if (!renews_ || !sorted_) return Neighbor::check_distance();
+  if (!renews_ || !all_sorted_) return Neighbor::check_distance();
   moved_.clear();
   find_moved(0, atom->nlocal);
   moved_at_ = update->ntimestep;
@@ -178,7 +183,7 @@ void NeighborSorted::renew_lists(LAMMPS_NS::NeighList& list) {
   if (renewed_at_ == update->ntimestep) return;
   renewed_at_ = update->ntimestep;
   renewed_now_.clear();
-  if (!renews_ || !sorted_ || ago == 0) return;
+  if (!renews_ || !all_sorted_ || ago == 0) return;
   const double begin = MPI_Wtime();
   if (moved_at_ != update->ntimestep) {
     moved_.clear();

@@ -104,9 +104,13 @@ contact::ContactRows PairGranBridge::rows() {
   return {listgranhistory->firstneigh, listgranhistory->firstdouble, dnum()};
 }
 
-// Bridges and adhesion keep more of a pair than what its row holds while it touches.
+// Bridges and adhesion keep more of a pair than what its row holds while it touches. And where one
+// contact comes after the other, a cohesion of 0 is none to the last bit: the order must be the
+// same.
 bool PairGranBridge::follows_renewed_lists() const {
-  return !contact_->stack().has_cohesion() && !contact_->stack().history().empty();
+  const contact::ContactStack& stack = contact_->stack();
+  return !stack.has_cohesion() && !stack.history().empty() &&
+         stack.instructions() != contact::InstructionSet::portable;
 }
 
 void PairGranBridge::compute_force(int eflag, int vflag, int addflag) {
