@@ -243,7 +243,7 @@ void NeighborSorted::look_around(const Bin& bin, const Look& look) {
   const int* const first = first_.data() + number_of(bin);
   stretches_.clear();
   const auto take_row = [&](std::ptrdiff_t from, std::ptrdiff_t to) {
-    stretches_.push_back({first[from], first[to]});
+    stretches_.emplace_back(first[from], first[to]);
     __builtin_prefetch(grains_.data() + first[from]);
   };
   take_row(-sx, sx + 1);
@@ -323,7 +323,7 @@ void NeighborSorted::add_pair(LAMMPS_NS::NeighList& list, int i, int j) {
   }
   list.firstneigh[i][count] = j;
   rows.firstneigh[i][count] = 0;
-  std::fill_n(rows.firstdouble[i] + count * rows.dnum, rows.dnum, 0.0);
+  std::fill_n(rows.firstdouble[i] + std::ptrdiff_t{count} * rows.dnum, rows.dnum, 0.0);
   ++list.numneigh[i];
 }
 
